@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_H
+#define CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_H
+
+#include <cerrno>
+#include <charconv>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Stores `text` when the caller wants messages; returns false so that a failure is one statement.
+inline bool fail(std::string* message, const std::string& text)
+{
+  if(message != nullptr)
+    *message = text;
+  return false;
+}
+
+// The conversions of <charconv> do not depend on the locale of the program, unlike those of <cstdio>. Without a number of
+// digits the text is the shortest one that is read back as the same double.
+inline void append_number(std::string& text, double value)
+{
+  char buffer[40];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
+}
+
+inline void append_number(std::string& text, double value, int digits)
+{
+  char buffer[40];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, digits).ptr);
+}
+
+inline void append_number(std::string& text, long long value)
+{
+  char buffer[24];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
+}
+
+// Errors that appear only when the last bytes reach the disk are reported by fflush and fclose.
+inline bool write_whole_file(const std::string& path, const std::string& content, std::string* message)
+{
+  errno = 0;
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if(file == nullptr)
+    return fail(message, "cannot open " + path + " for writing: " + std::strerror(errno));
+
+  bool is_written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  is_written = (std::fflush(file) == 0) && is_written;
+  const int write_error = errno;
+  is_written = (std::fclose(file) == 0) && is_written;
+  if(!is_written)
+    return fail(message, "cannot write " + path + ": " + std::strerror(write_error != 0 ? write_error : errno));
+  return true;
+}
+
+inline bool read_whole_file(const std::string& path, std::string& content, std::string* message)
+{
+  errno = 0;
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if(file == nullptr)
+    return fail(message, "cannot open " + path + ": " + std::strerror(errno));
+
+  content.clear();
+  std::string chunk(std::size_t(1) << 20, '\0');
+  for(std::size_t length; (length = std::fread(&chunk[0], 1, chunk.size(), file)) > 0; )
+    content.append(chunk, 0, length);
+  const bool is_read = std::ferror(file) == 0;
+  const int read_error = errno;
+  std::fclose(file);
+  if(!is_read)
+    return fail(message, "cannot read " + path + ": " + std::strerror(read_error));
+  return true;
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_H

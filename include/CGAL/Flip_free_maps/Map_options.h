@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_MAP_OPTIONS_H
+#define CGAL_FLIP_FREE_MAPS_MAP_OPTIONS_H
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsRef
+/// What an observer is told after every accepted step, and once before the first.
+struct Iteration_report
+{
+  int iteration = 0;                       ///< accepted steps so far (0: the start)
+  double seconds = 0;                      ///< wall-clock seconds since the minimizer began
+  double energy = 0;                       ///< mean energy
+  double gradient_norm = 0;                ///< Euclidean norm of the gradient
+  double characteristic_gradient_norm = 0; ///< the same over the characteristic gradient
+  double step = 0;                         ///< length of the last step, in units of the direction
+  double largest_step = 0;                 ///< the step at which the first element would collapse
+  int factorizations = 0;                  ///< numeric factorizations so far
+  long flips = 0;                          ///< elements that are not positively oriented
+};
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Settings of `Map_minimizer`. All stopping rules are measured on the mesh scaled to total measure 1 with the mean energy
+/// E = sum A_e psi(J_e) / sum A_e, so they mean the same on every input. A rule with tolerance 0 is off; the first rule that is
+/// met ends the run.
+struct Map_options
+{
+  /// Stop when |grad E| <= tolerance * W * |l|, the characteristic gradient norm of Zhu, Bridson and Kaufman 2018 (Blended Cured
+  /// Quasi-Newton, section 6): W is the norm of the energy's Hessian at the identity and l the vector of the measures of the
+  /// vertices' rest links (perimeters in the plane). It depends neither on the mesh's resolution nor on the energy's scale.
+  double characteristic_gradient_tolerance = 1e-5;
+  /// Stop when |grad E| <= tolerance.
+  double gradient_tolerance = 0;
+  /// Stop when the relative decrease of the energy is at most this in `stagnation_iterations` steps in a row, or in one step of
+  /// length at least 1/2 along a fresh second-order direction: a short step alone says nothing about convergence.
+  double relative_energy_tolerance = 0;
+  /// See `relative_energy_tolerance`.
+  int stagnation_iterations = 3;
+  /// Stop when the energy is at most this (off by default).
+  double target_energy = -std::numeric_limits<double>::infinity();
+  /// Stop after this many accepted steps.
+  int max_iterations = 2000;
+  /// Stop after this many seconds of wall-clock time.
+  double max_seconds = std::numeric_limits<double>::infinity();
+
+  /// Step lengths are at most this fraction of the step at which the first element collapses, in (0, 1).
+  double step_fraction = 0.95;
+  /// Sufficient decrease: E(x + a d) <= E(x) + armijo a grad E . d, in (0, 1/2).
+  double armijo = 1e-4;
+  /// Most energies evaluated in one line search before it fails.
+  int max_line_search_steps = 60;
+  /// Second-order directions may be followed beyond the full step while the energy decreases.
+  bool extend_steps = true;
+
+  /// Called before the first and after every accepted step; returning `false` stops the run with a valid map.
+  std::function<bool(const Iteration_report&)> observer;
+
+  /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
+  bool is_valid(std::string* message = nullptr) const
+  {
+    const auto fail = [message](const char* text) {
+      if(message != nullptr)
+        *message = text;
+      return false;
+    };
+    const auto is_tolerance = [](double value) { return value >= 0 && std::isfinite(value); };
+    if(!is_tolerance(characteristic_gradient_tolerance) || !is_tolerance(gradient_tolerance) ||
+       !is_tolerance(relative_energy_tolerance))
+      return fail("tolerances must be finite and not negative");
+    if(stagnation_iterations < 1)
+      return fail("stagnation_iterations must be at least 1");
+    if(std::isnan(target_energy))
+      return fail("target_energy must not be NaN");
+    if(max_iterations < 0)
+      return fail("max_iterations must not be negative");
+    if(!(max_seconds >= 0))
+      return fail("max_seconds must not be negative");
+    if(!(step_fraction > 0 && step_fraction < 1))
+      return fail("step_fraction must be in (0, 1)");
+    if(!(armijo > 0 && armijo < 0.5))
+      return fail("armijo must be in (0, 1/2)");
+    if(max_line_search_steps < 1)
+      return fail("max_line_search_steps must be at least 1");
+    return true;
+  }
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_MAP_OPTIONS_H

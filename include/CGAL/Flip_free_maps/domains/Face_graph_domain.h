@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_DOMAINS_FACE_GRAPH_DOMAIN_H
+#define CGAL_FLIP_FREE_MAPS_DOMAINS_FACE_GRAPH_DOMAIN_H
+
+#include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsDomains
+/// The connected component of a triangle mesh that a border halfedge belongs to, as flat arrays, with the way back to the mesh'
+/// vertices. Vertices are numbered in the order in which a walk over the faces meets them, so neither gaps in the mesh' indices nor
+/// other components matter. Triangles are laid isometrically in the plane.
+///
+/// \tparam TriangleMesh must be a model of `FaceGraph` whose vertex and face descriptors are `Hashable`
+template <typename TriangleMesh>
+class Face_graph_domain
+{
+public:
+  /// \name Types
+  /// @{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  /// @}
+
+  /// Reads the component of `border_halfedge`, which must be a topological disk.
+  ///
+  /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and points in space as values
+  /// \returns `Status::success`, or one of `empty_mesh`, `not_triangular`, `no_border`, `not_a_disk`, `non_manifold`,
+  ///   `degenerate_rest_element` and `non_finite_input` with a sentence in `message`
+  ///
+  /// Complexity: linear in the size of the component, on average.
+  template <typename VertexPointMap>
+  Status load(const TriangleMesh& mesh, halfedge_descriptor border_halfedge, const VertexPointMap& vertex_points, std::string& message)
+  {
+    const auto null = boost::graph_traits<TriangleMesh>::null_halfedge();
+    const auto null_face = boost::graph_traits<TriangleMesh>::null_face();
+    if(border_halfedge == null || face(border_halfedge, mesh) != null_face) {
+      message = "the given halfedge is not on the border: the surface is closed, or another halfedge is meant";
+      return Status::no_border;
+    }
+    const face_descriptor first = face(opposite(border_halfedge, mesh), mesh);
+    if(first == null_face) {
+      message = "the given border halfedge has no face on either side";
+      return Status::empty_mesh;
+    }
+
+    m_domain = Simplicial_domain<2>();
+    m_vertices.clear();
+    Status status = walk(mesh, first, message);
+    if(status == Status::success)
+      status = check_topology(mesh, border_halfedge, message);
+    if(status == Status::success)
+      status = measure(vertex_points, message);
+    return status;
+  }
+
+  /// The flat arrays.
+  const Simplicial_domain<2>& domain() const { return m_domain; }
+
+  /// The mesh' vertices by their numbers in the flat arrays.
+  const std::vector<vertex_descriptor>& vertices() const { return m_vertices; }
+
+private:
+  static std::string numbered(const char* text, std::size_t number) { return text + std::to_string(number); }
+
+  std::int32_t number(vertex_descriptor v)
+  {
+    const auto entry = m_numbers.emplace(v, static_cast<std::int32_t>(m_vertices.size()));
+    if(entry.second)
+      m_vertices.push_back(v);
+    return entry.first->second;
+  }
+
+  // Breadth first, so that neighbours are near each other in memory.
+  Status walk(const TriangleMesh& mesh, face_descriptor first, std::string& message)
+  {
+    const auto null_face = boost::graph_traits<TriangleMesh>::null_face();
+    m_numbers.clear();
+    std::unordered_set<face_descriptor> seen{first};
+    std::vector<face_descriptor> queue{first};
+    m_inner_halfedges = 0;
+    m_border_halfedges = 0;
+    for(std::size_t q = 0; q < queue.size(); ++q) {
+      const halfedge_descriptor h = halfedge(queue[q], mesh);
+      if(next(next(next(h, mesh), mesh), mesh) != h || next(next(h, mesh), mesh) == h) {
+        message = numbered("the mesh must consist of triangles; not so face number ", q);
+        return Status::not_triangular;
+      }
+      Simplicial_domain<2>::Element element;
+      halfedge_descriptor g = h;
+      for(int k = 0; k < 3; ++k, g = next(g, mesh)) {
+        element[k] = number(source(g, mesh));
+        const face_descriptor neighbor = face(opposite(g, mesh), mesh);
+        if(neighbor == null_face) {
+          ++m_border_halfedges;
+          continue;
+        }
+        ++m_inner_halfedges;
+        if(seen.insert(neighbor).second)
+          queue.push_back(neighbor);
+      }
+      if(element[0] == element[1] || element[1] == element[2] || element[2] == element[0]) {
+        message = numbered("a vertex occurs twice in face number ", q);
+        return Status::non_manifold;
+      }
+      m_domain.elements.push_back(element);
+      if(m_vertices.size() > static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)() / 4)) {
+        message = "the mesh has more vertices than 32-bit numbers can count";
+        return Status::out_of_memory;
+      }
+    }
+    m_domain.number_of_vertices = static_cast<std::int32_t>(m_vertices.size());
+    return Status::success;
+  }
+
+  Status check_topology(const TriangleMesh& mesh, halfedge_descriptor border_halfedge, std::string& message)
+  {
+    // Counterclockwise as seen from the faces: backwards along the border halfedges.
+    std::vector<char> on_border(m_vertices.size(), 0);
+    halfedge_descriptor h = border_halfedge;
+    bool touches_itself = false;
+    do {
+      const std::int32_t v = m_numbers.at(target(h, mesh));
+      touches_itself = touches_itself || on_border[v];
+      on_border[v] = 1;
+      m_domain.border.push_back(v);
+      h = prev(h, mesh);
+    } while(h != border_halfedge && m_domain.border.size() <= m_border_halfedges);
+    if(touches_itself) {
+      message = "the border passes through a vertex twice";
+      return Status::non_manifold;
+    }
+
+    // A vertex at which several fans of triangles meet has more border edges than one fan may have, or more fans than the walk
+    // around it passes; both show as a difference between its border halfedges here and those of the whole component.
+    if(m_domain.border.size() != m_border_halfedges) {
+      message = "the component has " + std::to_string(m_border_halfedges - m_domain.border.size()) +
+                " border edges outside the border of the given halfedge: it has several borders, or sheets that meet at a vertex";
+      return has_pinched_vertex(mesh) ? Status::non_manifold : Status::not_a_disk;
+    }
+    const std::int64_t euler = static_cast<std::int64_t>(m_vertices.size()) + m_domain.number_of_elements() -
+                               static_cast<std::int64_t>(m_border_halfedges + m_inner_halfedges / 2);
+    if(euler != 1) {
+      if(has_pinched_vertex(mesh)) {
+        message = "several sheets of the surface meet at a vertex";
+        return Status::non_manifold;
+      }
+      message = "the component is not a disk: its Euler characteristic is " + std::to_string(euler) + ", not 1";
+      return Status::not_a_disk;
+    }
+    return Status::success;
+  }
+
+  // Whether the faces around some vertex form more than one fan: the walk around the vertex then misses some of them.
+  bool has_pinched_vertex(const TriangleMesh& mesh) const
+  {
+    const auto null_face = boost::graph_traits<TriangleMesh>::null_face();
+    std::vector<std::int32_t> degree(m_vertices.size(), 0);
+    for(const auto& element : m_domain.elements)
+      for(std::int32_t v : element)
+        ++degree[v];
+    for(std::size_t v = 0; v < m_vertices.size(); ++v) {
+      std::int32_t passed = 0;
+      for(halfedge_descriptor h : CGAL::halfedges_around_target(halfedge(m_vertices[v], mesh), mesh))
+        if(face(h, mesh) != null_face)
+          ++passed;
+      if(passed != degree[v])
+        return true;
+    }
+    return false;
+  }
+
+  template <typename VertexPointMap>
+  Status measure(const VertexPointMap& vertex_points, std::string& message)
+  {
+    const std::size_t n = m_vertices.size();
+    Positions<3> points(3, n);
+    for(std::size_t v = 0; v < n; ++v) {
+      const auto& p = get(vertex_points, m_vertices[v]);
+      points.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]);
+    }
+    if(!points.allFinite()) {
+      message = "a coordinate of the mesh is NaN or infinite";
+      return Status::non_finite_input;
+    }
+
+    // The box brings coordinates of any magnitude into range before areas are formed. Halves, since the extent may overflow.
+    const Eigen::Vector3d low = points.rowwise().minCoeff() / 2, high = points.rowwise().maxCoeff() / 2;
+    const double extent = 2 * (high - low).maxCoeff();
+    if(!(extent > 0) || !std::isfinite(extent)) {
+      message = extent > 0 ? "the extent of the mesh exceeds the range of double precision" : "all vertices of the mesh coincide";
+      return extent > 0 ? Status::non_finite_input : Status::degenerate_rest_element;
+    }
+    points = ((points / 2).colwise() - low) / (extent / 2);
+
+    const std::size_t m = m_domain.elements.size();
+    m_domain.measures.resize(m);
+    m_domain.rest_inverses.resize(m);
+    double total = 0;
+    for(std::size_t e = 0; e < m; ++e) {
+      const auto& v = m_domain.elements[e];
+      const Eigen::Vector3d a = points.col(v[1]) - points.col(v[0]), b = points.col(v[2]) - points.col(v[0]);
+      const double a_norm = a.norm(), doubled = a.cross(b).norm();
+      // Below, the area has no correct digit: it is rounding.
+      if(!(doubled > 4 * std::numeric_limits<double>::epsilon() * a_norm * b.norm()) || !(doubled > 0)) {
+        message = numbered("zero area, or none within double precision, has face number ", e);
+        return Status::degenerate_rest_element;
+      }
+      m_domain.measures[e] = 0.5 * doubled;
+      total += m_domain.measures[e];
+      m_domain.rest_inverses[e] << 1 / a_norm, -a.dot(b) / (a_norm * doubled), 0, a_norm / doubled;
+      if(!m_domain.rest_inverses[e].allFinite()) {
+        message = numbered("too small for double precision is face number ", e);
+        return Status::degenerate_rest_element;
+      }
+    }
+    const double length = std::sqrt(total);
+    for(std::size_t e = 0; e < m; ++e) {
+      m_domain.measures[e] /= total;
+      m_domain.rest_inverses[e] *= length;
+    }
+    m_domain.scale = extent * length;
+
+    const std::size_t b = m_domain.border.size();
+    m_domain.border_lengths.resize(b);
+    for(std::size_t i = 0; i < b; ++i)
+      m_domain.border_lengths[i] = (points.col(m_domain.border[(i + 1) % b]) - points.col(m_domain.border[i])).norm() / length;
+    return Status::success;
+  }
+
+  Simplicial_domain<2> m_domain;
+  std::vector<vertex_descriptor> m_vertices;
+  std::unordered_map<vertex_descriptor, std::int32_t> m_numbers;
+  std::size_t m_inner_halfedges = 0;
+  std::size_t m_border_halfedges = 0;
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_DOMAINS_FACE_GRAPH_DOMAIN_H

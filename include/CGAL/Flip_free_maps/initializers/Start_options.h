@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_START_OPTIONS_H
+#define CGAL_FLIP_FREE_MAPS_INITIALIZERS_START_OPTIONS_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Convex shape to which the border is mapped for the start.
+enum class Border_shape
+{
+  circle, ///< arc lengths proportional to the border's edge lengths
+  square, ///< corners at quarters of the border's length
+  polygon ///< `Start_options::polygon`
+};
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Weights of the start's linear system.
+enum class Tutte_weights
+{
+  uniform,    ///< Tutte 1963
+  mean_value, ///< Floater 2003; needs a general (unsymmetric) solver
+  cotangent   ///< harmonic; may flip elements where weights are negative
+};
+
+/// \ingroup PkgFlipFreeMapsRef
+/// How the start of a parameterization is made.
+struct Start_options
+{
+  Border_shape border = Border_shape::circle;      ///< shape of the border
+  std::vector<std::array<double, 2>> polygon;      ///< corners of a convex polygon, for `Border_shape::polygon`
+  Tutte_weights weights = Tutte_weights::uniform;  ///< weights to begin with
+  bool fall_back = true;                           ///< whether other weights and a circle are tried when elements are flipped
+  bool place_flaps = true;                         ///< border vertices of a single triangle go to their optimum (Claici et al., section 5.4)
+
+  /// Checks the polygon; when it is unsuitable, says why in `*message` (if given) and returns `false`.
+  bool is_valid(std::string* message = nullptr) const
+  {
+    if(border != Border_shape::polygon)
+      return true;
+    const std::size_t n = polygon.size();
+    bool convex = n >= 3;
+    double turning = 0;
+    for(std::size_t i = 0; convex && i < n; ++i) {
+      const auto& a = polygon[i];
+      const auto& b = polygon[(i + 1) % n];
+      const auto& c = polygon[(i + 2) % n];
+      const double cross = (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]);
+      const double dot = (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]);
+      convex = cross > 0;
+      turning += std::atan2(cross, dot);
+    }
+    // A star polygon turns left everywhere too, but more than once around.
+    if(convex && turning < 6.5)
+      return true;
+    if(message != nullptr)
+      *message = "the border polygon must be strictly convex and counterclockwise";
+    return false;
+  }
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INITIALIZERS_START_OPTIONS_H

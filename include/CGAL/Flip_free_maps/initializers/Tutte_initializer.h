@@ -1,0 +1,330 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_TUTTE_INITIALIZER_H
+#define CGAL_FLIP_FREE_MAPS_INITIALIZERS_TUTTE_INITIALIZER_H
+
+#include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/initializers/Start_options.h>
+#include <CGAL/Flip_free_maps/internal/Element_schedule.h>
+#include <CGAL/Flip_free_maps/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsInitializers
+/// Name of weights, as spelled in the enumeration.
+inline const char* weights_name(Tutte_weights weights)
+{
+  return weights == Tutte_weights::uniform ? "uniform" : weights == Tutte_weights::mean_value ? "mean_value" : "cotangent";
+}
+
+/// \ingroup PkgFlipFreeMapsInitializers
+/// Name of a border shape, as spelled in the enumeration.
+inline const char* border_name(Border_shape border)
+{
+  return border == Border_shape::circle ? "circle" : border == Border_shape::square ? "square" : "polygon";
+}
+
+/// \ingroup PkgFlipFreeMapsInitializers
+/// The embedding of a disk with its border on a convex curve and every other vertex at a weighted mean of its neighbours
+/// (Tutte 1963, Floater 2003), certified by exact predicates. In exact arithmetic positive weights leave no element flipped; in double
+/// precision long thin tubes shrink below the spacing of the numbers, and other weights are tried then.
+///
+/// \tparam Kernel must be a CGAL kernel with exact orientation predicates and number type `double`
+/// \tparam LinearSolver must be a model of `SymmetricSparseSolver`
+/// \tparam ConcurrencyTag as in `Flip_free_map_traits`
+///
+/// \cgalModels{Initializer}
+template <typename Kernel, typename LinearSolver, typename ConcurrencyTag>
+class Tutte_initializer
+{
+public:
+  /// Settings are copied.
+  explicit Tutte_initializer(const Start_options& options) : m_options(options) {}
+
+  /// Computes the start.
+  ///
+  /// \param domain a disk with its border
+  /// \param make_linear_solver makes a `LinearSolver`
+  /// \param x the start, area about 1, positively oriented; undefined after a failure
+  /// \param name which start it is, fallbacks included
+  /// \param message why it failed
+  /// \returns `Status::success`, `invalid_option` or `start_not_flip_free`
+  ///
+  /// Complexity: one factorization with an unknown for each vertex inside, for each kind of weights that is tried.
+  template <typename MakeLinearSolver>
+  Status operator()(const Simplicial_domain<2>& domain, MakeLinearSolver&& make_linear_solver, Positions<2>& x, std::string& name,
+                    std::string& message) const
+  {
+    if(!m_options.is_valid(&message))
+      return Status::invalid_option;
+    std::vector<Border_shape> borders{m_options.border};
+    if(m_options.fall_back && m_options.border != Border_shape::circle)
+      borders.push_back(Border_shape::circle);
+    std::string failed;
+    for(Border_shape border : borders) {
+      Positions<2> border_positions;
+      place_border(domain, border, border_positions);
+      const Status status = with_border(domain, border_positions, border_name(border), make_linear_solver, x, name, failed);
+      if(status == Status::success)
+        return status;
+    }
+    message = "no start without flipped elements was found; tried: " + failed;
+    return Status::start_not_flip_free;
+  }
+
+  /// The same for a given convex border.
+  ///
+  /// \param border_positions a column for each vertex of `domain.border`, in its order; clockwise borders are mirrored
+  /// \param border what to call it in `name`
+  template <typename MakeLinearSolver>
+  Status with_border(const Simplicial_domain<2>& domain, const Positions<2>& border_positions, const std::string& border,
+                     MakeLinearSolver&& make_linear_solver, Positions<2>& x, std::string& name, std::string& failed) const
+  {
+    std::vector<Tutte_weights> weights{m_options.weights};
+    if(m_options.fall_back)
+      for(Tutte_weights w : {Tutte_weights::uniform, Tutte_weights::mean_value, Tutte_weights::cotangent})
+        if(w != m_options.weights)
+          weights.push_back(w);
+    internal::Element_schedule schedule;
+    schedule.build(domain.elements, domain.number_of_vertices);
+    const auto count = [&] { return internal::count_flips<Kernel, ConcurrencyTag>(domain, schedule, x); };
+    const std::string failed_before = failed;
+    for(Tutte_weights w : weights) {
+      const std::string tried = border + ", " + weights_name(w);
+      std::int64_t flips = domain.number_of_elements();
+      if(embed(domain, border_positions, w, make_linear_solver, x)) {
+        orient(domain, x);
+        flips = count();
+      }
+      if(flips == 0) {
+        name = "tutte (" + tried + (failed.empty() ? "" : "; after " + failed) + ")";
+        if(m_options.place_flaps) {
+          const Positions<2> embedded = x;
+          place_flaps(domain, x);
+          if(count() != 0)
+            x = embedded;
+        }
+        return Status::success;
+      }
+      failed += (failed.empty() ? "" : "; ") + tried + " with " + std::to_string(flips) + " flipped";
+    }
+    return Status::start_not_flip_free;
+  }
+
+private:
+  // The border on a curve around the origin that encloses area 1.
+  void place_border(const Simplicial_domain<2>& domain, Border_shape border, Positions<2>& positions) const
+  {
+    const std::size_t n = domain.border.size();
+    positions.resize(2, n);
+    std::vector<double> arc(n + 1, 0);
+    for(std::size_t i = 0; i < n; ++i)
+      arc[i + 1] = arc[i] + domain.border_lengths[i];
+    if(border == Border_shape::circle) {
+      const double radius = 1 / std::sqrt(CGAL_PI);
+      for(std::size_t i = 0; i < n; ++i) {
+        const double angle = 2 * CGAL_PI * arc[i] / arc[n];
+        positions.col(i) << radius * std::cos(angle), radius * std::sin(angle);
+      }
+      return;
+    }
+    std::vector<std::array<double, 2>> corners = m_options.polygon;
+    if(border == Border_shape::square)
+      corners = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+    place_on_polygon(corners, arc, positions);
+  }
+
+  // Corners go to the vertices nearest by arc length, which must differ; the rest is spread by arc length along the sides.
+  static void place_on_polygon(std::vector<std::array<double, 2>> corners, const std::vector<double>& arc, Positions<2>& positions)
+  {
+    const std::size_t n = arc.size() - 1;
+    if(corners.size() > n)
+      corners.resize(n);
+    const std::size_t c = corners.size();
+    std::vector<double> perimeter(c + 1, 0);
+    double area = 0;
+    for(std::size_t k = 0; k < c; ++k) {
+      const auto &p = corners[k], &q = corners[(k + 1) % c];
+      perimeter[k + 1] = perimeter[k] + std::hypot(q[0] - p[0], q[1] - p[1]);
+      area += 0.5 * (p[0] * q[1] - p[1] * q[0]);
+    }
+    const double scale = 1 / std::sqrt(area);
+    std::vector<std::size_t> places(c + 1, n);
+    for(std::size_t k = 0; k < c; ++k) {
+      const double wanted = perimeter[k] / perimeter[c] * arc[n];
+      std::size_t place = std::lower_bound(arc.begin(), arc.end(), wanted) - arc.begin();
+      if(place > 0 && wanted - arc[place - 1] < arc[place] - wanted)
+        --place;
+      // Every corner keeps a vertex of its own, and leaves one for each corner to come.
+      place = (std::max)(place, k == 0 ? std::size_t(0) : places[k - 1] + 1);
+      places[k] = (std::min)(place, n - (c - k));
+    }
+    for(std::size_t k = 0; k < c; ++k) {
+      const auto &p = corners[k], &q = corners[(k + 1) % c];
+      for(std::size_t i = places[k]; i < places[k + 1]; ++i) {
+        const double t = (arc[i] - arc[places[k]]) / (arc[places[k + 1]] - arc[places[k]]);
+        positions.col(i) << scale * ((1 - t) * p[0] + t * q[0]), scale * ((1 - t) * p[1] + t * q[1]);
+      }
+    }
+  }
+
+  // Weights of the three corners of an element: entry (i, j) is the part of the weight of edge i -> j, i != j, that comes from it.
+  static Eigen::Matrix3d corner_weights(const Simplicial_domain<2>& domain, std::int64_t e, Tutte_weights kind)
+  {
+    Eigen::Matrix3d w = Eigen::Matrix3d::Zero();
+    if(kind == Tutte_weights::uniform) {
+      // Half of each inner edge comes from either side, so that inner edges have weight 1; border edges do not matter.
+      w.setConstant(0.5);
+      w.diagonal().setZero();
+      return w;
+    }
+    const Eigen::Matrix2d edges = domain.rest_inverses[e].inverse();
+    const Eigen::Vector2d p[3] = {Eigen::Vector2d::Zero(), edges.col(0), edges.col(1)};
+    for(int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const Eigen::Vector2d a = p[j] - p[i], b = p[k] - p[i];
+      const double cross = a[0] * b[1] - a[1] * b[0], dot = a.dot(b);
+      if(kind == Tutte_weights::cotangent) {
+        w(j, k) = w(k, j) = 0.5 * dot / cross;
+      } else {
+        const double half_angle = cross / (a.norm() * b.norm() + dot);
+        w(i, j) = half_angle / a.norm();
+        w(i, k) = half_angle / b.norm();
+      }
+    }
+    return w;
+  }
+
+  template <typename MakeLinearSolver>
+  static bool embed(const Simplicial_domain<2>& domain, const Positions<2>& border_positions, Tutte_weights kind,
+                    MakeLinearSolver&& make_linear_solver, Positions<2>& x)
+  {
+    const std::int32_t n = domain.number_of_vertices;
+    std::vector<std::int32_t> unknown(n, 0);
+    x.setZero(2, n);
+    for(std::size_t i = 0; i < domain.border.size(); ++i) {
+      unknown[domain.border[i]] = -1;
+      x.col(domain.border[i]) = border_positions.col(i);
+    }
+    std::int32_t unknowns = 0;
+    for(std::int32_t v = 0; v < n; ++v)
+      if(unknown[v] == 0)
+        unknown[v] = unknowns++;
+    if(unknowns == 0)
+      return true;
+
+    Eigen::VectorXd right[2] = {Eigen::VectorXd::Zero(unknowns), Eigen::VectorXd::Zero(unknowns)}, left[2];
+    std::vector<Eigen::Triplet<double>> triplets;
+    triplets.reserve(12 * domain.elements.size());
+    for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
+      const Eigen::Matrix3d w = corner_weights(domain, e, kind);
+      const auto& v = domain.elements[e];
+      for(int i = 0; i < 3; ++i) {
+        const std::int32_t row = unknown[v[i]];
+        if(row < 0)
+          continue;
+        for(int j = 0; j < 3; ++j) {
+          if(j == i)
+            continue;
+          triplets.emplace_back(row, row, w(i, j));
+          if(unknown[v[j]] >= 0)
+            triplets.emplace_back(row, unknown[v[j]], -w(i, j));
+          else
+            for(int c = 0; c < 2; ++c)
+              right[c][row] += w(i, j) * x(c, v[j]);
+        }
+      }
+    }
+
+    if(kind == Tutte_weights::mean_value) {
+      Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
+      matrix.setFromTriplets(triplets.begin(), triplets.end());
+      Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
+      if(solver.info() != Eigen::Success)
+        return false;
+      for(int c = 0; c < 2; ++c)
+        left[c] = solver.solve(right[c]);
+    } else {
+      std::vector<std::array<std::int32_t, 2>> edges;
+      edges.reserve(triplets.size() / 2);
+      for(const auto& t : triplets)
+        if(t.row() < t.col())
+          edges.push_back({t.row(), t.col()});
+      Block_sparse_matrix matrix;
+      matrix.build_pattern(unknowns, 1, edges);
+      for(const auto& t : triplets)
+        if(t.row() <= t.col())
+          matrix.add_block(t.row(), t.col(), matrix.slot(t.row(), t.col()), Eigen::Matrix<double, 1, 1>(t.value()));
+      auto solver = make_linear_solver();
+      if(!solver.analyze_pattern(matrix) || !solver.factorize(matrix) || !solver.solve(right[0], left[0]) ||
+         !solver.solve(right[1], left[1]))
+        return false;
+    }
+    for(std::int32_t v = 0; v < n; ++v)
+      if(unknown[v] >= 0)
+        x.col(v) << left[0][unknown[v]], left[1][unknown[v]];
+    return x.allFinite();
+  }
+
+  static void orient(const Simplicial_domain<2>& domain, Positions<2>& x)
+  {
+    double doubled = 0;
+    for(std::size_t i = 0; i < domain.border.size(); ++i) {
+      const auto p = x.col(domain.border[i]), q = x.col(domain.border[(i + 1) % domain.border.size()]);
+      doubled += p[0] * q[1] - p[1] * q[0];
+    }
+    if(doubled < 0)
+      x.row(0) *= -1;
+  }
+
+  // The optimum of a border vertex of a single triangle for isometric distortions, with the opposite edge as it is.
+  static void place_flaps(const Simplicial_domain<2>& domain, Positions<2>& x)
+  {
+    std::vector<std::int32_t> degree(domain.number_of_vertices, 0);
+    for(const auto& element : domain.elements)
+      for(std::int32_t v : element)
+        ++degree[v];
+    for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
+      for(int k = 0; k < 3; ++k) {
+        const auto& v = domain.elements[e];
+        if(degree[v[k]] != 1)
+          continue;
+        const Eigen::Matrix2d edges = domain.rest_inverses[e].inverse();
+        const Eigen::Vector2d rest[3] = {Eigen::Vector2d::Zero(), edges.col(0), edges.col(1)};
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const Eigen::Vector2d side = rest[j] - rest[i], apex = rest[k] - rest[i];
+        const double beta = apex.dot(side) / side.squaredNorm();
+        const double gamma = (apex - beta * side).norm();
+        const Eigen::Vector2d p = x.col(v[i]), q = x.col(v[j]);
+        const Eigen::Vector2d normal = Eigen::Vector2d(p[1] - q[1], q[0] - p[0]).normalized();
+        x.col(v[k]) = (1 - beta) * p + beta * q + gamma * normal;
+        break;
+      }
+  }
+
+  Start_options m_options;
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INITIALIZERS_TUTTE_INITIALIZER_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_FLATTEN_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_FLATTEN_H
+
+#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
+#include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/write_positions.h>
+
+#include <new>
+#include <string>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// From a mesh in memory to a written, certified uv map. `make_start(domain, x, name, message)` computes the start.
+template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart>
+Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
+                const VertexPointMap& vertex_points, VertexUVMap uv_map, const Traits& traits, MakeStart&& make_start)
+{
+  Summary summary;
+  const auto run = [&] {
+    const Phase_timer total(summary.seconds.total, &summary.cpu_seconds);
+    if(!traits.options.is_valid(&summary.message)) {
+      summary.status = Status::invalid_option;
+      return;
+    }
+    Face_graph_domain<TriangleMesh> graph;
+    {
+      const Phase_timer timer(summary.seconds.load);
+      summary.status = graph.load(mesh, border_halfedge, vertex_points, summary.message);
+    }
+    if(summary.status != Status::success)
+      return;
+    const Simplicial_domain<2>& domain = graph.domain();
+    summary.vertices = domain.number_of_vertices;
+    summary.elements = domain.number_of_elements();
+
+    Positions<2> x;
+    {
+      const Phase_timer timer(summary.seconds.start);
+      summary.status = make_start(domain, graph.vertices(), x, summary.start, summary.message);
+    }
+    if(summary.status != Status::success)
+      return;
+
+    Map_minimizer<2, Traits> minimizer(domain, traits);
+    minimizer.minimize(x, summary);
+    if(!summary.is_valid())
+      return;
+
+    const Phase_timer timer(summary.seconds.certify);
+    x *= domain.scale;
+    write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
+  };
+  try {
+    run();
+  } catch(const std::bad_alloc&) {
+    summary.status = Status::out_of_memory;
+    summary.message = "memory was exhausted";
+  }
+  summary.peak_memory_mb = peak_memory_mb();
+  return summary;
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_FLATTEN_H

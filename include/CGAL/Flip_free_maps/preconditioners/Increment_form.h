@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_INCREMENT_FORM_H
+#define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_INCREMENT_FORM_H
+
+#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsPreconditioners
+/// Category of preconditioners whose matrix is the same in every iteration: it is factorized once.
+struct Constant_matrix_tag {};
+
+/// \ingroup PkgFlipFreeMapsPreconditioners
+/// Category of preconditioners whose matrix depends on the current map: it is factorized as the refactorization rule says.
+struct Varying_matrix_tag {};
+
+/// \ingroup PkgFlipFreeMapsPreconditioners
+/// What a preconditioner is told about one element: the signed singular values `s` of its Jacobian J = U diag(s) V^T, and the
+/// energy's derivatives there. An isotropic energy needs no more: its second differential and all its proxies are the same for
+/// all U and V once the increment is written as dJ = U K V^T (Smith, de Goes and Kim 2019).
+template <int D>
+struct Element_state
+{
+  internal::Vector<D> s;        ///< signed singular values, descending
+  internal::Vector<D> gradient; ///< psi_i
+  internal::Matrix<D> hessian;  ///< psi_ij
+};
+
+/// \ingroup PkgFlipFreeMapsPreconditioners
+/// A quadratic form on the increment K = U^T dJ V of one element's Jacobian, in the frame of its singular vectors: the D x D
+/// matrix `stretch` acts on the diagonal (K_11, .., K_DD), and one symmetric 2 x 2 matrix on each pair (K_ij, K_ji), i < j.
+/// Entries between the two groups vanish for every isotropic energy, so this holds the whole D^2 x D^2 matrix. Pairs are ordered
+/// (1,2), (1,3), (2,3).
+template <int D>
+struct Increment_form
+{
+  static constexpr int number_of_pairs = D * (D - 1) / 2; ///< 1 in the plane, 3 in space
+
+  /// One symmetric 2 x 2 matrix.
+  struct Pair
+  {
+    double ij_ij = 0; ///< factor of K_ij^2
+    double ji_ji = 0; ///< factor of K_ji^2
+    double ij_ji = 0; ///< half the factor of K_ij K_ji
+
+    /// Sets the eigenvalues of the modes (K_ij + K_ji) / sqrt 2 and (K_ji - K_ij) / sqrt 2.
+    void set_modes(double symmetric, double twist)
+    {
+      ij_ij = ji_ji = 0.5 * (symmetric + twist);
+      ij_ji = 0.5 * (symmetric - twist);
+    }
+  };
+
+  internal::Matrix<D> stretch;               ///< acts on the diagonal of K
+  std::array<Pair, number_of_pairs> pairs{}; ///< act on the pairs of off-diagonal entries of K
+};
+
+namespace internal {
+
+// Calls f(p, i, j) for the pairs i < j in the order in which an Increment_form holds them.
+template <int D, typename F>
+void for_each_pair(F&& f)
+{
+  int p = 0;
+  for(int i = 0; i < D; ++i)
+    for(int j = i + 1; j < D; ++j)
+      f(p++, i, j);
+}
+
+// Second derivative of the energy along one stretch at the identity: constant preconditioners and the Killing operator are
+// scaled by it so that the full step is the natural one near an isometry.
+template <int D, typename Energy>
+double curvature_at_identity(const Energy& energy)
+{
+  Vector<D> gradient;
+  Matrix<D> hessian;
+  energy.template derivatives<D>(Vector<D>::Ones(), gradient, hessian);
+  return hessian.trace() / D;
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_INCREMENT_FORM_H

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Installs what is missing (Debian), builds everything in Release mode and runs all tests.
+# The last line reads "N passed, N failed"; the exit code is 0 only if nothing failed.
+#
+# usage: test/run_tests.sh [CMAKE_OPTION...]
+#   BUILD_DIR   where to build (default: build/tests in the repository)
+
+set -euo pipefail
+
+root="$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+build_dir="${BUILD_DIR:-$root/build/tests}"
+jobs="$(nproc)"
+
+# What fails before the tests can run counts as one failure.
+give_up()
+{
+  echo "$1" >&2
+  echo "0 passed, 1 failed"
+  exit 1
+}
+
+bash "$root/.ci/install_packages.sh" tests || give_up "The packages needed could not be installed."
+
+cmake -S "$root" -B "$build_dir" -DCMAKE_BUILD_TYPE=Release \
+      -DFLIP_FREE_MAPS_BUILD_EXAMPLES=ON -DFLIP_FREE_MAPS_BUILD_TESTS=ON "$@" || give_up "CMake failed."
+cmake --build "$build_dir" -j "$jobs" || give_up "The build failed."
+
+cd -- "$build_dir"
+report="$PWD/ctest_report.xml"
+rm -f -- "$report"
+status=0
+ctest -j "$jobs" --output-on-failure --output-junit "$report" || status=$?
+[[ -s "$report" ]] || give_up "ctest wrote no report."
+
+# A test that could not be run at all is a failed one; a test that was skipped on purpose is neither.
+count()
+{
+  grep -c "<testcase .*status=\"$1\"" "$report" || true
+}
+all="$(grep -c '<testcase ' "$report" || true)"
+passed="$(count run)"
+skipped="$(grep -c '<skipped message="SKIP_' "$report" || true)"
+disabled="$(count disabled)"
+failed=$((all - passed - skipped - disabled))
+
+if [[ "$all" -eq 0 ]]; then
+  give_up "There are no tests."
+fi
+if [[ "$status" -ne 0 && "$failed" -eq 0 ]]; then
+  failed=1
+fi
+if [[ $((skipped + disabled)) -ne 0 ]]; then
+  echo "$((skipped + disabled)) skipped"
+fi
+echo "$passed passed, $failed failed"
+[[ "$failed" -eq 0 ]]
