@@ -9,46 +9,25 @@
 //
 // usage: generate_surface [FILE.off]
 
+#include "bumpy_surface.h"
+
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
 
 typedef CGAL::Simple_cartesian<double>      Kernel;
-typedef Kernel::Point_3                     Point_3;
-typedef CGAL::Surface_mesh<Point_3>         Surface_mesh;
-
-// A sheet over the unit square: a high hill, a dent beside it, and waves.
-struct Bumpy_sheet
-{
-  static constexpr int cells_per_side = 100;
-
-  static double hill(const double x, const double y, const double cx, const double cy, const double width)
-  {
-    return std::exp(-((x - cx) * (x - cx) + (y - cy) * (y - cy)) / (width * width));
-  }
-
-  Point_3 operator()(const int i, const int j) const
-  {
-    const double x = double(i) / cells_per_side;
-    const double y = double(j) / cells_per_side;
-    const double z = 0.5 * hill(x, y, 0.35, 0.4, 0.15) - 0.3 * hill(x, y, 0.7, 0.65, 0.12)
-                   + 0.02 * std::sin(20. * x) * std::cos(17. * y);
-    return Point_3(x, y, z);
-  }
-};
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 int main(int argc, char* argv[])
 {
   const std::string file_name = (argc > 1) ? argv[1] : "generated_surface.off";
 
-  Surface_mesh mesh;
-  CGAL::make_grid(Bumpy_sheet::cells_per_side, Bumpy_sheet::cells_per_side, mesh, Bumpy_sheet(), true);
+  Mesh mesh;
+  make_bumpy_surface(mesh, 100);
 
   if(!CGAL::IO::write_OFF(file_name, mesh, CGAL::parameters::stream_precision(17)))
   {

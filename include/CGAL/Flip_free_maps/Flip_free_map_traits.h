@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_FLIP_FREE_MAP_TRAITS_H
 
 #include <CGAL/Flip_free_maps/Map_options.h>
+#include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
 #include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
 #include <CGAL/Flip_free_maps/accelerations/Refactorization_rules.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
@@ -17,7 +18,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Cholmod_solver.h>
 #endif
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
-#include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
+#include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
 #include <CGAL/Flip_free_maps/references/Fixed_reference.h>
 
 #include <CGAL/Default.h>
@@ -30,20 +31,23 @@ namespace Flip_free_maps {
 /// \ingroup PkgFlipFreeMapsRef
 /// Bundles the choices that make a method: what is minimised, how directions are found, and with which settings.
 ///
-/// \tparam Kernel must be a CGAL kernel with exact orientation predicates and number type `double`, which certifies the maps.
+/// \tparam Kernel_ must be a CGAL kernel with exact orientation predicates and number type `double`, which certifies the maps.
 ///         <b>Default:</b> \code CGAL::Exact_predicates_inexact_constructions_kernel \endcode
-/// \tparam Energy must be a model of `DistortionEnergy`. <b>Default:</b> \code Symmetric_dirichlet \endcode
-/// \tparam Preconditioner must be a model of `Preconditioner`. <b>Default:</b> \code Projected_newton \endcode
-/// \tparam Reference must be a model of `Reference`. <b>Default:</b> \code Fixed_reference \endcode
-/// \tparam LinearSolver must be a model of `SymmetricSparseSolver`. <b>Default:</b> \code Cholmod_solver \endcode when
+/// \tparam Energy_ must be a model of `DistortionEnergy`. <b>Default:</b> \code Symmetric_dirichlet \endcode
+/// \tparam Preconditioner_ must be a model of `Preconditioner`. <b>Default:</b> \code Slim_newton \endcode
+/// \tparam Reference_ must be a model of `Reference`. <b>Default:</b> \code Fixed_reference \endcode
+/// \tparam LinearSolver_ must be a model of `SymmetricSparseSolver`. <b>Default:</b> \code Cholmod_solver \endcode when
 ///         `CGAL_FLIP_FREE_MAPS_USE_CHOLMOD` is defined, \code Eigen_simplicial_solver \endcode otherwise
-/// \tparam Acceleration must be a model of `Acceleration`. <b>Default:</b> \code No_acceleration \endcode
-/// \tparam RefactorizationRule must be a model of `RefactorizationRule`. <b>Default:</b> \code Every_iteration \endcode
-/// \tparam ConcurrencyTag whether elements are processed in parallel: `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+/// \tparam Acceleration_ must be a model of `Acceleration`. <b>Default:</b> \code Lbfgs \endcode
+/// \tparam RefactorizationRule_ must be a model of `RefactorizationRule`. <b>Default:</b> \code On_demand \endcode
+/// \tparam ConcurrencyTag_ whether elements are processed in parallel: `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 ///         `CGAL::Parallel_if_available_tag`. Results do not depend on it.
 ///         <b>Default:</b> \code CGAL::Parallel_if_available_tag \endcode
 ///
-/// Any parameter may be `CGAL::Default`.
+/// Any parameter may be `CGAL::Default`. The default method takes SLIM's proxy on badly distorted elements and the projected Hessian
+/// elsewhere, and lets L-BFGS reuse a factorization near the optimum. The papers' methods are
+/// `Flip_free_map_traits<CGAL::Default, CGAL::Default, P, CGAL::Default, CGAL::Default, No_acceleration, Every_iteration>` with P one of
+/// `Killing`, `Slim`, `Composite_majorization<>` and `Projected_newton`.
 ///
 /// \cgalModels{MapTraits}
 template <typename Kernel_ = CGAL::Default, typename Energy_ = CGAL::Default, typename Preconditioner_ = CGAL::Default,
@@ -60,13 +64,22 @@ class Flip_free_map_traits
 public:
   /// \name Types
   /// @{
+
+  /// Certifies the maps.
   using Kernel = typename CGAL::Default::Get<Kernel_, CGAL::Exact_predicates_inexact_constructions_kernel>::type;
+  /// Model of `DistortionEnergy`.
   using Energy = typename CGAL::Default::Get<Energy_, Symmetric_dirichlet>::type;
-  using Preconditioner = typename CGAL::Default::Get<Preconditioner_, Projected_newton>::type;
+  /// Model of `Preconditioner`.
+  using Preconditioner = typename CGAL::Default::Get<Preconditioner_, Slim_newton>::type;
+  /// Model of `Reference`.
   using Reference = typename CGAL::Default::Get<Reference_, Fixed_reference>::type;
+  /// Model of `SymmetricSparseSolver`.
   using Linear_solver = typename CGAL::Default::Get<LinearSolver_, Default_linear_solver>::type;
-  using Acceleration = typename CGAL::Default::Get<Acceleration_, No_acceleration>::type;
-  using Refactorization_rule = typename CGAL::Default::Get<RefactorizationRule_, Every_iteration>::type;
+  /// Model of `Acceleration`.
+  using Acceleration = typename CGAL::Default::Get<Acceleration_, Lbfgs>::type;
+  /// Model of `RefactorizationRule`.
+  using Refactorization_rule = typename CGAL::Default::Get<RefactorizationRule_, On_demand>::type;
+  /// Whether elements are processed in parallel.
   using Concurrency_tag = typename CGAL::Default::Get<ConcurrencyTag_, CGAL::Parallel_if_available_tag>::type;
   /// @}
 

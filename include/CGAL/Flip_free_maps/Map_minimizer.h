@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/Map_options.h>
 #include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/concepts.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/internal/Robust_solver.h>
@@ -19,6 +20,8 @@
 #include <CGAL/Flip_free_maps/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/internal/remove_rigid_motion.h>
 #include <CGAL/Flip_free_maps/line_search/Line_search.h>
+
+#include <boost/concept_check.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +46,8 @@ namespace Flip_free_maps {
 template <int D, typename Traits = Flip_free_map_traits<>>
 class Map_minimizer
 {
+  BOOST_CONCEPT_ASSERT((MapTraitsConcept<Traits, D>));
+
   using Kernel = typename Traits::Kernel;
   using Tag = typename Traits::Concurrency_tag;
   using Preconditioner = typename Traits::Preconditioner;
@@ -138,7 +143,6 @@ private:
     const Map_options& options = m_traits.options;
     typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
     internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver, summary);
-    m_traits.acceleration.reset();
     const double time_begin = internal::wall_seconds();
 
     Progress progress;
@@ -170,7 +174,10 @@ private:
     double shift = BASE_SHIFT;
     int retries = 0;
     for(;;) {
-      const bool with_matrix = !is_factorized || (!IS_CONSTANT && age > 0 && m_traits.refactorization_rule(age, progress.step));
+      Refactorization refactorization = is_factorized ? Refactorization::none : Refactorization::restart;
+      if(is_factorized && !IS_CONSTANT && age > 0)
+        refactorization = m_traits.refactorization_rule(age, progress.step, progress.relative_decrease);
+      const bool with_matrix = refactorization != Refactorization::none;
       {
         const internal::Phase_timer timer(summary.seconds.assemble);
         m_objective.derivatives(m_traits.reference, x, with_matrix, gradient);
@@ -206,6 +213,8 @@ private:
         }
         is_factorized = true;
         age = 0;
+        if(refactorization == Refactorization::restart)
+          m_traits.acceleration.reset();
       }
 
       const Eigen::Map<const Eigen::VectorXd> flat_x(x.data(), x.size());
@@ -258,7 +267,6 @@ private:
           shift = (std::max)(1e-6, 100 * shift);
         ++retries;
         is_factorized = false;
-        m_traits.acceleration.reset();
         continue;
       }
 

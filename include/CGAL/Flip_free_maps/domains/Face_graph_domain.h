@@ -10,13 +10,13 @@
 
 #include <CGAL/Flip_free_maps/Status.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/planar_rest_shape.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -45,8 +45,12 @@ class Face_graph_domain
 public:
   /// \name Types
   /// @{
+
+  /// Vertex of the mesh.
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  /// Halfedge of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  /// Face of the mesh.
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   /// @}
 
@@ -227,20 +231,12 @@ private:
     double total = 0;
     for(std::size_t e = 0; e < m; ++e) {
       const auto& v = m_domain.elements[e];
-      const Eigen::Vector3d a = points.col(v[1]) - points.col(v[0]), b = points.col(v[2]) - points.col(v[0]);
-      const double a_norm = a.norm(), doubled = a.cross(b).norm();
-      // Below, the area has no correct digit: it is rounding.
-      if(!(doubled > 4 * std::numeric_limits<double>::epsilon() * a_norm * b.norm()) || !(doubled > 0)) {
+      if(!internal::planar_rest_shape(points.col(v[0]), points.col(v[1]), points.col(v[2]), m_domain.rest_inverses[e],
+                                      m_domain.measures[e])) {
         message = numbered("zero area, or none within double precision, has face number ", e);
         return Status::degenerate_rest_element;
       }
-      m_domain.measures[e] = 0.5 * doubled;
       total += m_domain.measures[e];
-      m_domain.rest_inverses[e] << 1 / a_norm, -a.dot(b) / (a_norm * doubled), 0, a_norm / doubled;
-      if(!m_domain.rest_inverses[e].allFinite()) {
-        message = numbered("too small for double precision is face number ", e);
-        return Status::degenerate_rest_element;
-      }
     }
     const double length = std::sqrt(total);
     for(std::size_t e = 0; e < m; ++e) {

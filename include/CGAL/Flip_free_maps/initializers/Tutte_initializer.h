@@ -93,8 +93,14 @@ public:
 
   /// The same for a given convex border.
   ///
+  /// \param domain a disk with its border
   /// \param border_positions a column for each vertex of `domain.border`, in its order; clockwise borders are mirrored
   /// \param border what to call it in `name`
+  /// \param make_linear_solver makes a `LinearSolver`
+  /// \param x the start, positively oriented; undefined after a failure
+  /// \param name which start it is, fallbacks included
+  /// \param failed what was tried without success is appended, be it in this call or before
+  /// \returns `Status::success` or `start_not_flip_free`
   template <typename MakeLinearSolver>
   Status with_border(const Simplicial_domain<2>& domain, const Positions<2>& border_positions, const std::string& border,
                      MakeLinearSolver&& make_linear_solver, Positions<2>& x, std::string& name, std::string& failed) const

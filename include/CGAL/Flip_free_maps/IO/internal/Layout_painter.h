@@ -283,7 +283,10 @@ public:
     cairo_set_source_rgb(context, 1, 1, 1);
     cairo_paint(context);
 
-    const bool is_border_huge = m_border.size() > 100000;
+    // Lines and flipped triangles are vectors too, unless there are so many that a vector file would be unusable.
+    const std::size_t max_vector_items = 100000;
+    const bool is_border_in_raster = use_raster && m_border.size() > max_vector_items;
+    const bool are_flips_in_raster = use_raster && m_flipped.size() > max_vector_items;
     if(use_raster)
     {
       const int factor = (std::max)(m_plot_width, m_plot_height) > 8000. ? 1 : 2;
@@ -299,9 +302,10 @@ public:
       cairo_translate(raster.get(), -left, -top);
       cairo_set_antialias(raster.get(), CAIRO_ANTIALIAS_NONE);
       draw_fills(raster.get(), false);
-      draw_flips(raster.get());
-      if(is_border_huge)
+      if(is_border_in_raster)
         draw_border(raster.get());
+      if(are_flips_in_raster)
+        draw_flips(raster.get());
       cairo_surface_flush(image.get());
 
       cairo_save(context);
@@ -313,14 +317,13 @@ public:
       cairo_restore(context);
     }
     else
-    {
       draw_fills(context, true);
-      draw_flips(context);
-    }
     if(m_triangles.size() <= max_triangles_with_lines)
       draw_mesh_lines(context);
-    if(!use_raster || !is_border_huge)
+    if(!is_border_in_raster)
       draw_border(context);
+    if(!are_flips_in_raster)
+      draw_flips(context);
     draw_title(context);
     draw_legend(context);
   }
