@@ -5,7 +5,7 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Chooses a preconditioner, the shape of the start and stopping rules, and watches the iterations.
+// Chooses a preconditioner, the weights of the start and stopping rules, and watches the iterations.
 
 #include "bumpy_surface.h"
 
@@ -20,8 +20,8 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef CGAL::Simple_cartesian<double>                                                Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                                           Mesh;
+typedef CGAL::Simple_cartesian<double>                                                   Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>                                              Mesh;
 typedef FFM::Flip_free_map_traits<CGAL::Default, FFM::Symmetric_dirichlet, FFM::Killing> Traits;
 
 int main()
@@ -31,15 +31,14 @@ int main()
   auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
 
   Traits traits;
-  traits.preconditioner.weight = FFM::Killing_weight::image_measure;
-  traits.start.border = FFM::Border_shape::square;
+  traits.start.weights = FFM::Tutte_weights::mean_value;
   traits.options.max_seconds = 60;
 
-  // A preview is good enough as soon as a step gains less than one percent.
+  // A preview is good enough as soon as a step gains less than a thousandth.
   double last_energy = 0;
   traits.options.observer = [&last_energy](const FFM::Iteration_report& report) {
     std::cout << report.iteration << ": energy " << report.energy << ", step " << report.step << std::endl;
-    const bool is_good_enough = report.iteration > 0 && report.energy > 0.99 * last_energy;
+    const bool is_good_enough = report.iteration > 0 && report.energy > 0.999 * last_energy;
     last_energy = report.energy;
     return !is_good_enough;
   };

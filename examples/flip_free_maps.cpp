@@ -16,12 +16,12 @@
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
+#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -37,9 +37,12 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace FFM = CGAL::Flip_free_maps;
@@ -78,13 +81,35 @@ struct Triangles
   Mesh mesh; // vertex i is point i
 };
 
+std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygons)
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<int, int>> edges; // how many faces use an edge forwards and backwards
+  for(const auto& polygon : polygons)
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::size_t v = polygon[k], w = polygon[(k + 1) % 3];
+      ++(v < w ? edges[{v, w}].first : edges[{w, v}].second);
+    }
+  bool is_oriented = true;
+  for(const auto& edge : edges) {
+    if(edge.second.first + edge.second.second > 2)
+      return "the edge between vertices " + std::to_string(edge.first.first) + " and " + std::to_string(edge.first.second) +
+             " has more than two faces";
+    is_oriented = is_oriented && edge.second.first <= 1 && edge.second.second <= 1;
+  }
+  return is_oriented ? "several sheets of the surface meet at a vertex"
+                     : "neighbouring faces are oriented differently: orient them alike first; a Moebius strip cannot be";
+}
+
 // Reads and checks a file, so that every fault has a name of its own before the mesh is built.
 void read_triangles(const std::string& path, Triangles& triangles)
 {
   auto& points = triangles.points;
   auto& polygons = triangles.polygons;
+  if(!std::ifstream(path))
+    throw Failure{Status::file_error, "cannot open " + path};
   if(!CGAL::IO::read_polygon_soup(path, points, polygons))
-    throw Failure{Status::file_error, "cannot read a mesh (OFF, OBJ, PLY, STL) from " + path};
+    throw Failure{Status::file_error, path + " is not an OFF, OBJ, PLY or STL file, or is truncated or malformed: a coordinate may not be "
+                                             "a finite number, or a face name a vertex that does not exist"};
   if(polygons.empty())
     throw Failure{Status::empty_mesh, "the file holds no faces"};
   for(std::size_t i = 0; i < polygons.size(); ++i) {
@@ -105,7 +130,7 @@ void read_triangles(const std::string& path, Triangles& triangles)
   if(path.size() > 4 && (path.substr(path.size() - 4) == ".stl" || path.substr(path.size() - 4) == ".STL"))
     PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
   if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
-    throw Failure{Status::non_manifold, "an edge has more than two faces, or neighbouring faces are oriented differently"};
+    throw Failure{Status::non_manifold, why_not_manifold(polygons)};
   PMP::polygon_soup_to_polygon_mesh(points, polygons, triangles.mesh);
 
   auto components = triangles.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
@@ -122,6 +147,8 @@ struct Arguments
   int max_iterations = FFM::Map_options().max_iterations;
   double time_limit = 0;
   int threads = 0;
+  int picture_width = FFM::Layout_picture_options().width;
+  bool place_flaps = false;
   bool unit_square = false;
   bool quiet = false;
 };
@@ -171,6 +198,7 @@ FFM::Summary run_with_traits(const Arguments& arguments, const Mesh& mesh, Mesh:
   traits.start.weights = arguments.weights == "mean-value"  ? FFM::Tutte_weights::mean_value
                          : arguments.weights == "cotangent" ? FFM::Tutte_weights::cotangent
                                                             : FFM::Tutte_weights::uniform;
+  traits.start.place_flaps = arguments.place_flaps;
   FFM::Map_options& options = traits.options;
   options.max_iterations = arguments.max_iterations;
   if(arguments.time_limit > 0)
@@ -269,6 +297,7 @@ void write_pictures(const Arguments& arguments, const FFM::Textured_mesh& layout
   char title[200];
   std::snprintf(title, sizeof title, "%s   energy %.6f", arguments.input.substr(arguments.input.rfind('/') + 1).c_str(), summary.energy);
   options.title = title;
+  options.width = arguments.picture_width;
   options.distortion_label = "symmetric Dirichlet energy";
   std::string message;
   if(!arguments.svg.empty())
@@ -286,7 +315,9 @@ int run_parameterize(const Arguments& arguments)
     Mesh& mesh = triangles.mesh;
     std::vector<Mesh::Halfedge_index> borders;
     PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
-    const Mesh::Halfedge_index border = borders.empty() ? Mesh::null_halfedge() : borders.front();
+    if(borders.empty())
+      throw Failure{Status::no_border, "the surface is closed; it must be cut open before it can be flattened"};
+    const Mesh::Halfedge_index border = borders.front();
     auto uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -392,6 +423,7 @@ int main(int argc, char** argv)
   flatten->add_option("--weights", arguments.weights, "weights of the start")
     ->check(CLI::IsMember({"uniform", "mean-value", "cotangent"}))
     ->capture_default_str();
+  flatten->add_flag("--flaps", arguments.place_flaps, "begin with border vertices of a single triangle at their optimum");
   flatten
     ->add_option("--criterion", arguments.criterion,
                  "stopping rule that --tolerance is for: characteristic norm of the gradient (default tolerance 1e-5), norm of the "
@@ -410,6 +442,9 @@ int main(int argc, char** argv)
   flatten->add_option("--json", arguments.json, "write the summary");
   flatten->add_option("--svg", arguments.svg, "draw the layout, coloured by distortion");
   flatten->add_option("--png", arguments.png, "draw the layout, coloured by distortion");
+  flatten->add_option("--picture-width", arguments.picture_width, "width of the drawings in pixels")
+    ->check(CLI::Range(320, 16000))
+    ->capture_default_str();
   flatten->add_option("--trace", arguments.trace, "write a CSV row per iteration");
   flatten->add_flag("--quiet", arguments.quiet, "print nothing but errors");
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From nothing to a first map: installs what is missing (Debian), builds the program, and flattens a head of Nefertiti.
+# From nothing to a first map: installs what is missing (Debian), builds the program, and flattens the head of a lion.
 #
 # usage: examples/quickstart.sh
 #   BUILD_DIR    where to build (default: build/quickstart in the repository)
@@ -22,11 +22,11 @@ output_dir="$(CDPATH='' cd -- "$output_dir" && pwd)"
 
 # The meshes of CGAL come with Debian's libcgal-demo, unless the system drops /usr/share/doc.
 archive=/usr/share/doc/libcgal-demo/data.tar.gz
-input="$output_dir/nefertiti.off"
-if ! { [[ -r "$archive" ]] && tar -xzOf "$archive" data/meshes/nefertiti.off > "$input"; }; then
+input="$output_dir/lion-head.off"
+if ! { [[ -r "$archive" ]] && tar -xzOf "$archive" data/meshes/lion-head.off > "$input"; }; then
   rm -f -- "$input"
   input="$output_dir/generated_surface.off"
-  echo "No Nefertiti in $archive, a generated surface takes her place."
+  echo "No meshes in $archive: a generated surface is flattened instead."
   cmake --build "$build_dir" --target generate_surface
   "$build_dir/examples/generate_surface" "$input"
 fi

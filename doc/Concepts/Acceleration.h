@@ -9,7 +9,8 @@
 \ingroup PkgFlipFreeMapsConcepts
 \cgalConcept
 
-The concept `Acceleration` describes what is made of successive gradients and the factorized preconditioner: the direction in which the next step is taken.
+The concept `Acceleration` describes what is made of successive gradients and the factorized preconditioner: the direction in
+which the next step is taken.
 
 \cgalRefines{CopyConstructible}
 
@@ -30,14 +31,15 @@ public:
   void reset();
 
   /// Computes a direction.
-  /// \tparam Solve is a functor `bool operator()(const Eigen::VectorXd& b, Eigen::VectorXd& y)`, which sets y to the inverse of the last
-  ///   factorized matrix times b. It returns `false` if that failed. b and y must be different objects.
+  /// \tparam Solve is a functor `bool operator()(const Eigen::VectorXd& b, Eigen::VectorXd& y)`, which sets y to the inverse of
+  ///   the last factorized matrix times b. It returns `false` if that failed. b and y must be different objects.
   /// \param x the current positions, coordinates of one vertex side by side
   /// \param gradient the gradient of the energy there, in the same layout
   /// \param solve applies the inverse of the preconditioner
-  /// \param direction receives the direction, to be added to the positions (not to be subtracted). It is resized by this function.
-  /// \returns whether `direction` was computed. One along which the energy does not decrease is discarded, after which the preconditioner is
-  ///   factorized anew and this function is called again.
+  /// \param direction receives the direction, to be added to the positions (not to be subtracted). It is resized by this
+  ///   function.
+  /// \returns whether `direction` was computed. One along which the energy does not decrease is discarded, after which the
+  ///   preconditioner is factorized anew and this function is called again.
   template <typename Solve>
   bool direction(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, Solve&& solve, Eigen::VectorXd& direction);
 };

@@ -9,8 +9,8 @@
 \ingroup PkgFlipFreeMapsConcepts
 \cgalConcept
 
-The concept `ConvexConcaveEnergy` describes energies that come with a decomposition \f$\psi = h^+ + h^-\f$ into a convex and a concave function of the
-singular values, which composite majorization needs.
+The concept `ConvexConcaveEnergy` describes energies that come with a decomposition \f$\psi = h^+ + h^-\f$ into a convex and a
+concave function of the singular values, which composite majorization needs.
 
 \cgalRefines{DistortionEnergy}
 

@@ -9,15 +9,17 @@
 \ingroup PkgFlipFreeMapsConcepts
 \cgalConcept
 
-The concept `DistortionEnergy` describes what is minimised: an isotropic function \f$\psi(s_1,\dots,s_D)\f$ of the singular values of the
-Jacobian of a map on one element. The package sums it over all elements, weighted by their measures. An energy never sees a mesh.
+The concept `DistortionEnergy` describes what is minimised: an isotropic function \f$\psi(s_1,\dots,s_D)\f$ of the singular
+values of the Jacobian of a map on one element. The package sums it over all elements, weighted by their measures. An energy
+never sees a mesh.
 
-The function must be symmetric in its arguments and twice differentiable where all of them are positive. Its value at \f$s = (1, \dots, 1)\f$ must
-be finite. Nothing is required of its scale, convexity or minimum; stopping rules are measured relative to its Hessian at the identity, which
-therefore must not vanish.
+The function must be symmetric in its arguments and twice differentiable where all of them are positive. Its value at
+\f$s = (1, \dots, 1)\f$ must be finite. Nothing is required of its scale, convexity or minimum; stopping rules are measured
+relative to its Hessian at the identity, which therefore must not vanish.
 
-The functions are templates in the dimension `D`, the number of singular values, which is 2 for triangles and 3 for tetrahedra. An energy that exists in one
-dimension only may define them for that dimension alone. They are called from several threads at once and must not change the object.
+The functions are templates in the dimension `D`, the number of singular values, which is 2 for triangles and 3 for tetrahedra.
+An energy that exists in one dimension only may define them for that dimension alone. They are called from several threads at
+once and must not change the object.
 
 \cgalRefines{CopyConstructible}
 
@@ -31,26 +33,27 @@ dimension only may define them for that dimension alone. They are called from se
 class DistortionEnergy
 {
 public:
-  /// Whether \f$\psi\f$ grows without bound when an element collapses. The package then takes the energy of an element whose smallest
-  /// singular value is not positive for infinite, and never evaluates it there. Without a barrier maps are kept free of flips all the same,
-  /// but by the bound on the step length alone.
+  /// Whether \f$\psi\f$ grows without bound when an element collapses. The package then takes the energy of an element whose
+  /// smallest singular value is not positive for infinite, and never evaluates it there. Without a barrier maps are kept free
+  /// of flips all the same, but by the bound on the step length alone.
   static constexpr bool has_barrier = unspecified;
 
   /// The name of the energy in reports, such as "symmetric_dirichlet": a constant C string.
   static const char* name();
 
   /// The value \f$\psi(s)\f$.
-  /// \param s the signed singular values, descending: \f$s_1 \ge \dots \ge s_D\f$. All are positive if `has_barrier`; otherwise the last
-  ///   one may be zero or negative. All are finite, unless the map itself overflowed.
+  /// \param s the signed singular values, descending: \f$s_1 \ge \dots \ge s_D\f$. All are positive if `has_barrier`; otherwise
+  ///   the last one may be zero or negative. All are finite, unless the map itself overflowed.
   /// \returns a number, or +infinity or NaN where the energy cannot be computed: the step that led there is shortened then
   template <int D>
   double value(const Eigen::Matrix<double, D, 1>& s) const;
 
-  /// Writes the first and second derivatives of \f$\psi\f$ in the singular values. Called at maps that were accepted by exact predicates, hence
-  /// for positive singular values, up to rounding.
+  /// Writes the first and second derivatives of \f$\psi\f$ in the singular values. Called at maps that were accepted by exact
+  /// predicates, hence for positive singular values, up to rounding.
   /// \param s the signed singular values, as in `value()`
   /// \param gradient receives \f$\psi_i = \partial\psi/\partial s_i\f$
-  /// \param hessian receives \f$\psi_{ij} = \partial^2\psi/\partial s_i\partial s_j\f$, both triangles. Neither argument is initialised on entry.
+  /// \param hessian receives \f$\psi_{ij} = \partial^2\psi/\partial s_i\partial s_j\f$, both triangles. Neither argument is
+  ///   initialised on entry.
   template <int D>
   void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
                    Eigen::Matrix<double, D, D>& hessian) const;

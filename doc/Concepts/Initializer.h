@@ -9,7 +9,8 @@
 \ingroup PkgFlipFreeMapsConcepts
 \cgalConcept
 
-The concept `Initializer` describes functors that lay a disk in the plane without flipped elements, for the minimizer to start from.
+The concept `Initializer` describes functors that lay a disk in the plane without flipped elements, for the minimizer to start
+from.
 
 \cgalRefines{CopyConstructible}
 
@@ -26,7 +27,8 @@ public:
   /// \tparam MakeLinearSolver is a functor without arguments that returns a new model of `SymmetricSparseSolver`
   /// \param domain a disk with its `border` and `border_lengths`
   /// \param make_linear_solver makes the solvers that are used
-  /// \param x receives the start, a column for each vertex. Its area should be about 1, that of the domain. Undefined after a failure.
+  /// \param x receives the start, a column for each vertex. Its area should be about 1, that of the domain. Undefined after a
+  ///   failure.
   /// \param name receives what was used, fallbacks included, for `Summary::start`
   /// \param message receives a sentence after a failure
   /// \returns `CGAL::Flip_free_maps::Status::success` if all elements of `x` are positively oriented, otherwise a failure such as

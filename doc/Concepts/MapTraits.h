@@ -9,8 +9,8 @@
 \ingroup PkgFlipFreeMapsConcepts
 \cgalConcept
 
-The concept `MapTraits` bundles the choices that make a method: types for each role, and the objects that carry their settings. The algorithms copy the traits
-and change only their copy.
+The concept `MapTraits` bundles the choices that make a method: types for each role, and the objects that carry their settings.
+The algorithms copy the traits and change only their copy.
 
 \cgalRefines{CopyConstructible}
 
@@ -28,9 +28,9 @@ public:
   /// \name Types
   /// @{
 
-  /// The kernel that certifies the maps. In the plane it provides `Point_2`, constructible from two numbers of type `double`, and
-  /// `Orientation_2`, default constructible, whose `operator()` takes three such points; in space `Point_3` and `Orientation_3` with
-  /// one coordinate and one point more. The orientations must be exact for the given numbers, as those of
+  /// The kernel that certifies the maps. In the plane it provides `Point_2`, constructible from two numbers of type `double`,
+  /// and `Orientation_2`, default constructible, whose `operator()` takes three such points; in space `Point_3` and
+  /// `Orientation_3` with one coordinate and one point more. The orientations must be exact for the given numbers, as those of
   /// `CGAL::Exact_predicates_inexact_constructions_kernel` are.
   typedef unspecified_type Kernel;
 
@@ -66,7 +66,7 @@ public:
   Acceleration acceleration;                 ///< what is made of successive directions
   Refactorization_rule refactorization_rule; ///< when the preconditioner is factorized
   CGAL::Flip_free_maps::Map_options options; ///< stopping rules, step lengths, observer
-  CGAL::Flip_free_maps::Start_options start; ///< the start of a parameterization; not used by `CGAL::Flip_free_maps::Map_minimizer`
+  CGAL::Flip_free_maps::Start_options start; ///< the start of a parameterization; the minimizer does not use it
 
   /// @}
 

@@ -9,13 +9,13 @@
 \ingroup PkgFlipFreeMapsConcepts
 \cgalConcept
 
-The concept `Preconditioner` describes how directions are found: by a positive semidefinite quadratic form on the increment \f$dJ\f$ of the Jacobian of each
-element, written down in the frame of the singular vectors, in which it has the few entries of a `CGAL::Flip_free_maps::Increment_form`.
-The package turns it into a matrix on the positions of the vertices, factorizes that, and solves for the direction. A preconditioner never sees a mesh
-nor a linear solver.
+The concept `Preconditioner` describes how directions are found: by a positive semidefinite quadratic form on the increment
+\f$dJ\f$ of the Jacobian of each element, written down in the frame of the singular vectors, in which it has the few entries of
+a `CGAL::Flip_free_maps::Increment_form`. The package turns it into a matrix on the positions of the vertices, factorizes that,
+and solves for the direction. A preconditioner never sees a mesh nor a linear solver.
 
-The full direction is the step that the quadratic form finds best, so the form should approximate the Hessian of the energy, factor 1/2 not
-included: the energy itself gives `stretch` \f$= [\psi_{ij}]\f$.
+The full direction is the step that the quadratic form finds best, so the form should approximate the Hessian of the energy,
+factor 1/2 not included: the energy itself gives `stretch` \f$= [\psi_{ij}]\f$.
 
 \cgalRefines{CopyConstructible}
 
@@ -34,12 +34,12 @@ included: the energy itself gives `stretch` \f$= [\psi_{ij}]\f$.
 class Preconditioner
 {
 public:
-  /// `CGAL::Flip_free_maps::Constant_matrix_tag` if the form of every element is the same in all iterations, so that one factorization serves them
-  /// all; `CGAL::Flip_free_maps::Varying_matrix_tag` if it depends on the current map.
+  /// `CGAL::Flip_free_maps::Constant_matrix_tag` if the form of every element is the same in all iterations, so that one
+  /// factorization serves them all; `CGAL::Flip_free_maps::Varying_matrix_tag` if it depends on the current map.
   typedef unspecified_type Category;
 
-  /// Whether steps of length 1 are natural, as for Newton's method. Steps beyond 1 are tried, and short relative decreases of the energy
-  /// count as convergence at once, only if so.
+  /// Whether steps of length 1 are natural, as for Newton's method. Steps beyond 1 are tried, and short relative decreases of
+  /// the energy count as convergence at once, only if so.
   static constexpr bool is_second_order = unspecified;
 
   /// The name of the preconditioner in reports, such as "newton": a constant C string.
@@ -52,8 +52,8 @@ public:
   /// \tparam Energy is a model of `DistortionEnergy`, or of what else the preconditioner's documentation asks for
   /// \param state singular values and the derivatives of the energy there
   /// \param energy the energy itself, for what the state does not tell
-  /// \param form receives the form. On entry all `pairs` are zero and `stretch` is not initialised. The result must be symmetric, positive
-  ///   semidefinite and finite.
+  /// \param form receives the form. On entry all `pairs` are zero and `stretch` is not initialised. The result must be
+  ///   symmetric, positive semidefinite and finite.
   template <int D, typename Energy>
   void form(const CGAL::Flip_free_maps::Element_state<D>& state, const Energy& energy,
             CGAL::Flip_free_maps::Increment_form<D>& form) const;

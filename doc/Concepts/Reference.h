@@ -9,8 +9,8 @@
 \ingroup PkgFlipFreeMapsConcepts
 \cgalConcept
 
-The concept `Reference` describes the shape that distortion is measured against in an iteration. It is the rest shape in the end, but may be another one
-on the way there.
+The concept `Reference` describes the shape that distortion is measured against in an iteration. It is the rest shape in the
+end, but may be another one on the way there.
 
 \cgalRefines{CopyConstructible}
 
@@ -33,8 +33,8 @@ public:
   template <int D>
   bool update(const CGAL::Flip_free_maps::Simplicial_domain<D>& domain, const CGAL::Flip_free_maps::Positions<D>& x);
 
-  /// The inverse of the edge matrix of element `e` in this reference, with positive determinant. Called from several threads at once. The
-  /// result must stay where it is until the next `update()`.
+  /// The inverse of the edge matrix of element `e` in this reference, with positive determinant. Called from several threads at
+  /// once. The result must stay where it is until the next `update()`.
   template <int D>
   const Eigen::Matrix<double, D, D>& rest_inverse(const CGAL::Flip_free_maps::Simplicial_domain<D>& domain, std::int64_t e) const;
 

@@ -9,13 +9,14 @@
 \ingroup PkgFlipFreeMapsConcepts
 \cgalConcept
 
-The concept `SymmetricSparseSolver` describes solvers of sparse linear systems with a symmetric positive definite matrix, in three phases: the pattern is analysed once,
-the matrix is factorized for each set of values, right-hand sides are solved for with the last factorization. An iterative solver may take the second
-phase for the setup of its preconditioner; a distributed one may distribute the matrix there.
+The concept `SymmetricSparseSolver` describes solvers of sparse linear systems with a symmetric positive definite matrix, in
+three phases: the pattern is analysed once, the matrix is factorized for each set of values, right-hand sides are solved for
+with the last factorization. An iterative solver may take the second phase for the setup of its preconditioner; a distributed
+one may distribute the matrix there.
 
-A solver is made by `MapTraits::make_linear_solver()` and used by one thread. It need be neither copyable nor movable. Failures are reported by
-the returned values, not by exceptions other than `std::bad_alloc`. When a factorization fails, the package tries others with a larger
-diagonal.
+A solver is made by `MapTraits::make_linear_solver()` and used by one thread. It need be neither copyable nor movable. Failures
+are reported by the returned values, not by exceptions other than `std::bad_alloc`. When a factorization fails, the package
+tries others with a larger diagonal.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_free_maps::Cholmod_solver}

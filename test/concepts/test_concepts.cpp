@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// The concepts: archetypes that offer nothing but what the concept pages ask for are enough to run the algorithms and are given what
-// the pages promise, and all models of the package pass the check classes.
+// The concepts: archetypes that offer nothing but what the concept pages ask for are enough to run the algorithms and are given
+// what the pages promise, and all models of the package pass the check classes.
 
 #define BOOST_TEST_MODULE concepts
 #include <boost/test/included/unit_test.hpp>
@@ -170,11 +170,11 @@ struct Archetype_acceleration : Only_from_int
 struct Archetype_rule : Only_from_int
 {
   using Only_from_int::Only_from_int;
-  bool operator()(int age, double last_step, double relative_decrease)
+  FFM::Refactorization operator()(int age, double last_step, double relative_decrease)
   {
     ++record.rules;
-    record.rule_arguments_kept = record.rule_arguments_kept && age > 0 && last_step > 0 && relative_decrease > 0;
-    return age >= 2;
+    record.rule_arguments_kept = record.rule_arguments_kept && age > 0 && last_step > 0 && relative_decrease >= 0;
+    return age >= 2 ? FFM::Refactorization::refresh : FFM::Refactorization::none;
   }
 };
 
@@ -307,8 +307,8 @@ BOOST_AUTO_TEST_CASE(archetypes_parameterize)
   using Kernel = CGAL::Simple_cartesian<double>;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   Mesh mesh;
-  // A cylinder of radius 5 over 1 radian is developable: the energy's minimum over smooth maps is that of an isometry, up to the size
-  // of the triangles.
+  // A cylinder over an arc of 1 radian is developable: the minimum of the energy over smooth maps is that of an isometry, and the
+  // triangles are small.
   const auto cylinder = [](double i, double j) { return Kernel::Point_3(5 * std::cos(i / 10), 5 * std::sin(i / 10), j / 2); };
   auto border = CGAL::make_grid(10, 10, mesh, cylinder, true);
   border = CGAL::is_border(border, mesh) ? border : opposite(border, mesh);

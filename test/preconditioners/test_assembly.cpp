@@ -18,6 +18,7 @@
 #include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
 #include <CGAL/Flip_free_maps/preconditioners/Killing.h>
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
+#include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -257,12 +258,14 @@ void check_energy_of_bad_positions()
   collapsed.row(D - 1).setZero();
   BOOST_TEST(objective.energy(reference, collapsed) == infinity);
 
+  int finite = 0;
   for(double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})
     for(Eigen::Index i = 0; i < example.x.size(); ++i) {
       FFM::Positions<D> x = example.x;
       x.data()[i] = bad;
-      BOOST_TEST(!std::isfinite(objective.energy(reference, x)));
+      finite += std::isfinite(objective.energy(reference, x));
     }
+  BOOST_TEST(finite == 0, finite << " energies of positions that are not finite are finite, D = " << D);
 }
 
 template <typename Vector_1, typename Vector_2>

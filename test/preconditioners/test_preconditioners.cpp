@@ -20,6 +20,7 @@
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
+#include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
 
 #include <Eigen/SVD>
 
@@ -276,6 +277,25 @@ void check_laplacian()
                 4. / D * Full_matrix<D>::Identity()).norm() <= 1e-13);
 }
 
+template <int D>
+void check_slim_newton()
+{
+  const FFM::Symmetric_dirichlet energy;
+  int slim = 0, newton = 0;
+  for(double threshold : {1., 3., 20.})
+    for(const Vector<D>& s : singular_value_samples<D>(true)) {
+      FFM::Slim_newton both;
+      both.threshold = threshold;
+      const bool is_slim = energy.value<D>(s) > threshold;
+      ++(is_slim ? slim : newton);
+      const Full_matrix<D> expected =
+        is_slim ? frame_matrix<D>(FFM::Slim(), energy, s) : frame_matrix<D>(FFM::Projected_newton(), energy, s);
+      BOOST_TEST((frame_matrix<D>(both, energy, s) - expected).norm() == 0);
+    }
+  BOOST_TEST(slim > 50);
+  BOOST_TEST(newton > 50);
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(all_are_positive_semidefinite)
@@ -284,6 +304,8 @@ BOOST_AUTO_TEST_CASE(all_are_positive_semidefinite)
   check_positive_semidefinite<3>(FFM::Projected_newton());
   check_positive_semidefinite<2>(FFM::Slim());
   check_positive_semidefinite<3>(FFM::Slim());
+  check_positive_semidefinite<2>(FFM::Slim_newton());
+  check_positive_semidefinite<3>(FFM::Slim_newton());
   check_positive_semidefinite<2>(FFM::Laplacian());
   check_positive_semidefinite<3>(FFM::Laplacian());
   check_positive_semidefinite<2>(FFM::Composite_majorization<true>());
@@ -335,6 +357,12 @@ BOOST_AUTO_TEST_CASE(slim_near_isometry)
 {
   check_slim_near_isometry<2>();
   check_slim_near_isometry<3>();
+}
+
+BOOST_AUTO_TEST_CASE(slim_newton_chooses_by_energy)
+{
+  check_slim_newton<2>();
+  check_slim_newton<3>();
 }
 
 BOOST_AUTO_TEST_CASE(killing)

@@ -167,7 +167,7 @@ private:
     }
     const double characteristic_gradient = internal::characteristic_gradient(m_domain, m_traits.energy);
 
-    Eigen::VectorXd gradient, direction, candidate(x.size());
+    Eigen::VectorXd gradient, direction;
     Positions<D> trial(D, x.cols());
     int age = 0; // accepted steps since the last factorization
     bool is_factorized = false;

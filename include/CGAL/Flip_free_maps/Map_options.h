@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_MAP_OPTIONS_H
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -28,7 +29,7 @@ struct Iteration_report
   double step = 0;                         ///< length of the last step, in units of the direction
   double largest_step = 0;                 ///< the step at which the first element would collapse
   int factorizations = 0;                  ///< numeric factorizations so far
-  long flips = 0;                          ///< elements that are not positively oriented
+  std::int64_t flips = 0;                  ///< elements that are not positively oriented: 0 for energies with a barrier
 };
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -51,7 +52,7 @@ struct Map_options
   /// Stop when the energy is at most this (off by default).
   double target_energy = -std::numeric_limits<double>::infinity();
   /// Stop after this many accepted steps.
-  int max_iterations = 2000;
+  int max_iterations = 5000;
   /// Stop after this many seconds of wall-clock time.
   double max_seconds = std::numeric_limits<double>::infinity();
 

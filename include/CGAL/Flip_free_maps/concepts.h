@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/Map_options.h>
 #include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/accelerations/Refactorization_rules.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/initializers/Start_options.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
@@ -28,8 +29,11 @@
 
 /// \file
 /// Compile-time checks of the concepts of the package, to be used like those of Boost:
-/// `BOOST_CONCEPT_ASSERT((CGAL::Flip_free_maps::DistortionEnergyConcept<My_energy, 2>));`. Requirements are checked, not run. The dimension
-/// of a map is not a type, which is why the classes are written out instead of made by the macro `BOOST_concept`.
+/// `BOOST_CONCEPT_ASSERT((CGAL::Flip_free_maps::DistortionEnergyConcept<My_energy, 2>));`. Requirements are compiled, not run.
+/// The dimension of a map is not a type, which is why the classes are written out instead of made by the macro `BOOST_concept`.
+
+// In each class the address of `requirements` is taken where Boost instantiates code, since an unused function would not be
+// compiled, let alone checked.
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -45,12 +49,13 @@ struct DistortionEnergyConcept
   {
     static_assert(std::is_same<decltype(Energy::has_barrier), const bool>::value, "has_barrier must be a constant bool");
     static_assert(Energy::has_barrier || !Energy::has_barrier, "has_barrier must be known at compile time");
+    const auto check = &DistortionEnergyConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
 
 private:
   static void requirements(const Energy& energy, const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                          Eigen::Matrix<double, D, D>& hessian)
+                           Eigen::Matrix<double, D, D>& hessian)
   {
     const std::string name = Energy::name();
     const double value = energy.template value<D>(s);
@@ -58,7 +63,6 @@ private:
     boost::ignore_unused_variable_warning(name);
     boost::ignore_unused_variable_warning(value);
   }
-  decltype(&requirements) check = &requirements;
   /// \endcond
 };
 
@@ -71,16 +75,16 @@ struct ConvexConcaveEnergyConcept
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ConvexConcaveEnergyConcept)
   {
+    const auto check = &ConvexConcaveEnergyConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
 
 private:
   static void requirements(const Energy& energy, const Eigen::Matrix<double, D, 1>& s, const Eigen::Matrix<double, D, D>& hessian,
-                          Eigen::Matrix<double, D, D>& convex)
+                           Eigen::Matrix<double, D, D>& convex)
   {
     energy.template convex_hessian<D>(s, hessian, convex);
   }
-  decltype(&requirements) check = &requirements;
   /// \endcond
 };
 
@@ -98,6 +102,7 @@ struct PreconditionerConcept
                   "Category must be Constant_matrix_tag or Varying_matrix_tag");
     static_assert(std::is_same<decltype(P::is_second_order), const bool>::value, "is_second_order must be a constant bool");
     static_assert(P::is_second_order || !P::is_second_order, "is_second_order must be known at compile time");
+    const auto check = &PreconditionerConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
 
@@ -108,7 +113,6 @@ private:
     preconditioner.form(state, energy, form);
     boost::ignore_unused_variable_warning(name);
   }
-  decltype(&requirements) check = &requirements;
   /// \endcond
 };
 
@@ -121,12 +125,13 @@ struct ReferenceConcept
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ReferenceConcept)
   {
+    const auto check = &ReferenceConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
 
 private:
   static void requirements(R& reference, const R& const_reference, const Simplicial_domain<D>& domain, const Positions<D>& x,
-                          std::int64_t e)
+                           std::int64_t e)
   {
     const std::string name = R::name();
     const bool is_rest_shape = reference.update(domain, x);
@@ -137,7 +142,6 @@ private:
     boost::ignore_unused_variable_warning(rest_inverse);
     boost::ignore_unused_variable_warning(weight);
   }
-  decltype(&requirements) check = &requirements;
   /// \endcond
 };
 
@@ -150,6 +154,7 @@ struct AccelerationConcept
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(AccelerationConcept)
   {
+    const auto check = &AccelerationConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
 
@@ -166,7 +171,6 @@ private:
     boost::ignore_unused_variable_warning(name);
     boost::ignore_unused_variable_warning(success);
   }
-  decltype(&requirements) check = &requirements;
   /// \endcond
 };
 
@@ -179,16 +183,16 @@ struct RefactorizationRuleConcept
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(RefactorizationRuleConcept)
   {
+    const auto check = &RefactorizationRuleConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
 
 private:
   static void requirements(Rule& rule, int age, double last_step, double relative_decrease)
   {
-    const Refactorization factorize_now = rule(age, last_step, relative_decrease);
-    boost::ignore_unused_variable_warning(factorize_now);
+    const Refactorization refactorization = rule(age, last_step, relative_decrease);
+    boost::ignore_unused_variable_warning(refactorization);
   }
-  decltype(&requirements) check = &requirements;
   /// \endcond
 };
 
@@ -200,12 +204,13 @@ struct SymmetricSparseSolverConcept
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(SymmetricSparseSolverConcept)
   {
+    const auto check = &SymmetricSparseSolverConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
 
 private:
-  static void requirements(Solver& solver, const Solver& const_solver, const Block_sparse_matrix& matrix, const Eigen::VectorXd& b,
-                          Eigen::VectorXd& x)
+  static void requirements(Solver& solver, const Solver& const_solver, const Block_sparse_matrix& matrix,
+                           const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
     const std::string name = const_solver.name();
     const std::string ordering = const_solver.ordering();
@@ -220,7 +225,6 @@ private:
     boost::ignore_unused_variable_warning(solved);
     boost::ignore_unused_variable_warning(entries);
   }
-  decltype(&requirements) check = &requirements;
   /// \endcond
 };
 
@@ -233,17 +237,17 @@ struct InitializerConcept
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(InitializerConcept)
   {
+    const auto check = &InitializerConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
 
 private:
   static void requirements(const I& initializer, const Simplicial_domain<2>& domain, MakeLinearSolver& make_linear_solver,
-                          Positions<2>& x, std::string& name, std::string& message)
+                           Positions<2>& x, std::string& name, std::string& message)
   {
     const Status status = initializer(domain, make_linear_solver, x, name, message);
     boost::ignore_unused_variable_warning(status);
   }
-  decltype(&requirements) check = &requirements;
   /// \endcond
 };
 
@@ -275,7 +279,9 @@ struct MapTraitsConcept
     static_assert(std::is_convertible<Concurrency_tag, CGAL::Sequential_tag>::value ||
                     std::is_convertible<Concurrency_tag, CGAL::Parallel_tag>::value,
                   "Concurrency_tag must be one of CGAL's concurrency tags");
+    const auto check = &MapTraitsConcept::requirements;
     boost::ignore_unused_variable_warning(check);
+    const auto kernel_check = &MapTraitsConcept::kernel_requirements;
     boost::ignore_unused_variable_warning(kernel_check);
   }
 
@@ -312,8 +318,6 @@ private:
     }
     boost::ignore_unused_variable_warning(is_positive);
   }
-  decltype(&requirements) check = &requirements;
-  decltype(&kernel_requirements) kernel_check = &kernel_requirements;
   /// \endcond
 };
 

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /*!
-  \ingroup PkgFlipFreeMapsRef
+  \ingroup PkgFlipFreeMapsIO
 
   Settings of `write_layout_SVG()` and `write_layout_PNG()`.
 */
@@ -145,15 +145,15 @@ inline bool fail_without_cairo(const std::string& path, std::string* message)
 } // namespace internal
 
 /*!
-  \ingroup PkgFlipFreeMapsRef
+  \ingroup PkgFlipFreeMapsIO
 
   writes a picture of a planar layout, colored by distortion, as an SVG file.
 
   The triangles are filled from pale (distortion 1) to deep colors on a logarithmic scale with uniform perceptual steps; values
   above the upper end, infinite and undefined ones take the last color. Triangles of negative orientation, decided with exact
   predicates, are drawn last, in the warning color, and outlined so that also those smaller than a pixel are seen. The border of
-  the layout (edges with one incident triangle) is a thick dark line. The legend gives the color bar, maximum and mean of the
-  distortion (not weighted by area), and the numbers of triangles, of flipped ones, and of degenerate ones if there are any.
+  the layout (edges with one incident triangle) is a thick dark line. The legend gives the color bar, the maximum of the
+  distortion, and the numbers of triangles, of flipped ones, and of degenerate ones if there are any.
   The v axis points upwards, and u and v have the same scale.
 
   Above 100000 triangles the fills are embedded as an image, so that the file remains small enough to be edited and printed.
@@ -188,7 +188,7 @@ inline bool write_layout_SVG(const std::string& path,
 }
 
 /*!
-  \ingroup PkgFlipFreeMapsRef
+  \ingroup PkgFlipFreeMapsIO
 
   writes a picture of a planar layout, colored by distortion, as a PNG image; content and parameters are those of
   `write_layout_SVG()`.
@@ -212,7 +212,7 @@ inline bool write_layout_PNG(const std::string& path,
 }
 
 /*!
-  \ingroup PkgFlipFreeMapsRef
+  \ingroup PkgFlipFreeMapsIO
 
   writes a square PNG image with a checkerboard, to be used as a texture. It tiles seamlessly if `squares` is even.
 

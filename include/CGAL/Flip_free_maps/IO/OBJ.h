@@ -333,7 +333,7 @@ inline Checkerboard_choice choose_checkerboard(double layout_extent)
 } // namespace internal
 
 /*!
-  \ingroup PkgFlipFreeMapsRef
+  \ingroup PkgFlipFreeMapsIO
 
   writes a triangle mesh with texture coordinates as a Wavefront OBJ file together with a material that shows the map as a
   checkerboard, so that Blender or MeshLab display it at once.
@@ -442,7 +442,7 @@ inline bool write_textured_OBJ(const std::string& path,
 }
 
 /*!
-  \ingroup PkgFlipFreeMapsRef
+  \ingroup PkgFlipFreeMapsIO
 
   reads a triangle mesh with texture coordinates from a Wavefront OBJ file.
 

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /*!
-  \ingroup PkgFlipFreeMapsRef
+  \ingroup PkgFlipFreeMapsIO
 
   Triangle mesh in space with texture coordinates per corner, in flat arrays.
 

@@ -163,24 +163,21 @@ private:
       return Status::non_manifold;
     }
 
-    // A vertex at which several fans of triangles meet has more border edges than one fan may have, or more fans than the walk
-    // around it passes; both show as a difference between its border halfedges here and those of the whole component.
-    if(m_domain.border.size() != m_border_halfedges) {
-      message = "the component has " + std::to_string(m_border_halfedges - m_domain.border.size()) +
-                " border edges outside the border of the given halfedge: it has several borders, or sheets that meet at a vertex";
-      return has_pinched_vertex(mesh) ? Status::non_manifold : Status::not_a_disk;
-    }
+    const std::size_t other_border_edges = m_border_halfedges - m_domain.border.size();
     const std::int64_t euler = static_cast<std::int64_t>(m_vertices.size()) + m_domain.number_of_elements() -
                                static_cast<std::int64_t>(m_border_halfedges + m_inner_halfedges / 2);
-    if(euler != 1) {
-      if(has_pinched_vertex(mesh)) {
-        message = "several sheets of the surface meet at a vertex";
-        return Status::non_manifold;
-      }
-      message = "the component is not a disk: its Euler characteristic is " + std::to_string(euler) + ", not 1";
-      return Status::not_a_disk;
+    if(other_border_edges == 0 && euler == 1)
+      return Status::success;
+    if(has_pinched_vertex(mesh)) {
+      message = "several sheets of the surface meet at a vertex";
+      return Status::non_manifold;
     }
-    return Status::success;
+    if(other_border_edges > 0)
+      message = "the component has several borders: " + std::to_string(other_border_edges) +
+                " border edges are not on the border of the given halfedge";
+    else
+      message = "the component has handles: its Euler characteristic is " + std::to_string(euler) + ", that of a disk is 1";
+    return Status::not_a_disk;
   }
 
   // Whether the faces around some vertex form more than one fan: the walk around the vertex then misses some of them.

@@ -113,22 +113,27 @@ public:
     internal::Element_schedule schedule;
     schedule.build(domain.elements, domain.number_of_vertices);
     const auto count = [&] { return internal::count_flips<Kernel, ConcurrencyTag>(domain, schedule, x); };
-    const std::string failed_before = failed;
     for(Tutte_weights w : weights) {
       const std::string tried = border + ", " + weights_name(w);
       std::int64_t flips = domain.number_of_elements();
+      bool has_placed_flaps = false;
       if(embed(domain, border_positions, w, make_linear_solver, x)) {
         orient(domain, x);
         flips = count();
-      }
-      if(flips == 0) {
-        name = "tutte (" + tried + (failed.empty() ? "" : "; after " + failed) + ")";
-        if(m_options.place_flaps) {
+        // A triangle with all its vertices on one side of a polygon is flat; its flap has a better place outside.
+        if(m_options.place_flaps || flips != 0) {
           const Positions<2> embedded = x;
           place_flaps(domain, x);
-          if(count() != 0)
+          const std::int64_t flips_after = count();
+          has_placed_flaps = flips_after == 0 || flips_after < flips;
+          if(has_placed_flaps)
+            flips = flips_after;
+          else
             x = embedded;
         }
+      }
+      if(flips == 0) {
+        name = "tutte (" + tried + (has_placed_flaps ? ", flaps placed" : "") + (failed.empty() ? "" : "; after " + failed) + ")";
         return Status::success;
       }
       failed += (failed.empty() ? "" : "; ") + tried + " with " + std::to_string(flips) + " flipped";

@@ -29,10 +29,15 @@ namespace internal {
 template <typename Point>
 using Coordinate = std::decay_t<decltype(std::declval<const Point&>()[0])>;
 
+// Aggregates, such as std::array, have no constructor from coordinates.
 template <typename Point>
 Point make_point_2(double x, double y)
 {
-  return Point(Coordinate<Point>(x), Coordinate<Point>(y));
+  using C = Coordinate<Point>;
+  if constexpr(std::is_constructible_v<Point, C, C>)
+    return Point(C(x), C(y));
+  else
+    return Point{C(x), C(y)};
 }
 
 // Writes a planar map to the caller's property map if it is still free of flips after conversion to the map's number type; says so in

@@ -354,22 +354,19 @@ private:
     }
   }
 
-  // Infinite and undefined distortions (those of flipped triangles, under many definitions) take the last color and count for
-  // neither the percentile nor the mean.
+  // Infinite and undefined distortions (those of flipped triangles, under many definitions) take the last color and do not count
+  // for the percentile.
   void choose_color_scale(double upper_end)
   {
     std::vector<double> finite;
     finite.reserve(m_distortion.size());
     m_maximum = 0.;
-    m_mean = 0.;
     for(const double d : m_distortion)
     {
       if(std::isfinite(d))
         finite.push_back(d);
       m_maximum = (d > m_maximum || std::isnan(d)) && !std::isnan(m_maximum) ? d : m_maximum;
     }
-    for(const double d : finite)
-      m_mean += d / static_cast<double>(finite.size());
 
     m_upper = upper_end;
     if(!(m_upper > 1.))
@@ -597,7 +594,6 @@ private:
       show_text(context, value_x, y, f, x + m_legend_width - value_x, value);
     };
     show_line("maximum", number_text(m_maximum));
-    show_line("mean", number_text(m_mean));
     show_line("triangles", count_text(m_triangles.size()));
     if(m_number_of_degenerate_triangles > 0)
       show_line("degenerate", count_text(m_number_of_degenerate_triangles));
@@ -679,7 +675,6 @@ private:
   std::size_t m_number_of_degenerate_triangles = 0;
   double m_upper = 1.05;
   double m_maximum = 0.;
-  double m_mean = 0.;
   std::vector<std::size_t> m_by_color;        // the triangles, sorted by color
   std::array<std::size_t, COLORS + 1> m_color_begin{};
   std::vector<Edge> m_border;

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// Minima that are known, and what factorizations cost.
+
+#define BOOST_TEST_MODULE minimizer
+#include <boost/test/included/unit_test.hpp>
+
+#include "support/minimizer_checks.h"
+
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
+#include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
+
+#include <cmath>
+#include <tuple>
+
+namespace FFM = CGAL::Flip_free_maps;
+using namespace test_support;
+
+namespace {
+
+typedef std::tuple<Method_traits<FFM::Projected_newton>, FFM::Flip_free_map_traits<>> Methods;
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(developable_surfaces_become_isometric, Method, Methods)
+{
+  check_developable_surfaces<Method>();
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(all_methods_end_at_the_same_energy, Method, Methods)
+{
+  check_bumpy_patch<Method>();
+}
+
+BOOST_AUTO_TEST_CASE(constant_laplacian_is_factorized_once)
+{
+  const auto domain = make_domain(bumpy_patch(12, 10));
+  Method_traits<FFM::Laplacian> traits;
+  traits.options = tight_options();
+  traits.options.characteristic_gradient_tolerance = 1e-5;
+  const Outcome outcome = minimized(domain, tutte_start(domain), traits);
+  BOOST_TEST(outcome.summary.converged());
+  BOOST_TEST(outcome.summary.factorizations == 1);
+  BOOST_TEST(std::abs(outcome.summary.energy - bumpy_minimum()) <= 1e-4);
+  check_summary(domain, outcome);
+}
+
+BOOST_AUTO_TEST_CASE(lbfgs_saves_factorizations)
+{
+  const auto domain = make_domain(bumpy_patch(12, 10));
+  const FFM::Positions<2> start = tutte_start(domain);
+  Method_traits<FFM::Projected_newton> newton;
+  newton.options = tight_options();
+  const Outcome expected = minimized(domain, start, newton);
+
+  Method_traits<FFM::Projected_newton, FFM::Lbfgs, FFM::On_demand> lbfgs;
+  lbfgs.options = tight_options();
+  const Outcome outcome = minimized(domain, start, lbfgs);
+  BOOST_TEST(outcome.summary.converged());
+  BOOST_TEST(std::abs(outcome.summary.energy - expected.summary.energy) <= 1e-8);
+  BOOST_TEST(outcome.summary.factorizations < expected.summary.factorizations);
+  BOOST_TEST(outcome.summary.factorizations < outcome.summary.iterations / 2);
+  check_summary(domain, outcome);
+}
+
+BOOST_AUTO_TEST_CASE(scale_of_the_input_does_not_matter)
+{
+  const auto reference = make_domain(bumpy_patch(8, 7));
+  Method_traits<FFM::Projected_newton> traits;
+  const Outcome expected = minimized(reference, tutte_start(reference), traits);
+  for(double scale : {1e-60, 1e-5, 1e5, 1e60}) {
+    Surface surface = bumpy_patch(8, 7);
+    for(auto& p : surface.points)
+      p *= scale;
+    const auto domain = make_domain(surface);
+    const Outcome outcome = minimized(domain, tutte_start(domain), traits);
+    BOOST_TEST(outcome.summary.converged());
+    BOOST_TEST(std::abs(outcome.summary.energy - expected.summary.energy) <= 1e-9);
+    BOOST_TEST(outcome.summary.iterations == expected.summary.iterations);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(repeated_and_continued)
+{
+  const auto domain = make_domain(bumpy_patch(8, 7));
+  Method_traits<FFM::Projected_newton> traits;
+  FFM::Map_minimizer<2, Method_traits<FFM::Projected_newton>> minimizer(domain, traits);
+  const FFM::Positions<2> start = tutte_start(domain);
+  FFM::Positions<2> first = start, second = start;
+  const FFM::Summary summary = minimizer.minimize(first);
+  BOOST_TEST(minimizer.minimize(second).iterations == summary.iterations);
+  BOOST_TEST((first == second));
+  // From the result there is nothing left to do.
+  const FFM::Summary again = minimizer.minimize(second);
+  BOOST_TEST(again.converged());
+  BOOST_TEST(again.iterations == 0);
+  BOOST_TEST((first == second));
+}

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// How a run ends: every stopping rule, bad options, bad starts, and what the caller's positions hold afterwards.
+
+#define BOOST_TEST_MODULE minimizer_ends
+#include <boost/test/included/unit_test.hpp>
+
+#include "support/minimizer_fixture.h"
+
+#include <cmath>
+#include <functional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace FFM = CGAL::Flip_free_maps;
+using namespace test_support;
+
+BOOST_FIXTURE_TEST_CASE(every_rule_has_a_message_of_its_own, Fixture)
+{
+  std::set<std::string> messages;
+  FFM::Map_options options;
+
+  FFM::Summary summary = run(options);
+  check_valid(summary, FFM::Status::success);
+  BOOST_TEST(summary.characteristic_gradient_norm <= options.characteristic_gradient_tolerance);
+  messages.insert(summary.message);
+
+  options = no_rules();
+  options.gradient_tolerance = 1e-3;
+  summary = run(options);
+  check_valid(summary, FFM::Status::success);
+  BOOST_TEST(summary.gradient_norm <= 1e-3);
+  messages.insert(summary.message);
+
+  options = no_rules();
+  options.relative_energy_tolerance = 1e-4;
+  summary = run(options);
+  check_valid(summary, FFM::Status::success);
+  messages.insert(summary.message);
+
+  options = no_rules();
+  options.target_energy = 0.5 * (summary.energy_initial + summary.energy);
+  summary = run(options);
+  check_valid(summary, FFM::Status::success);
+  BOOST_TEST(summary.energy <= options.target_energy);
+  messages.insert(summary.message);
+
+  // Nothing but rounding ends this one.
+  options = no_rules();
+  options.max_iterations = 500;
+  summary = run(options);
+  check_valid(summary, FFM::Status::success);
+  messages.insert(summary.message);
+
+  options.max_iterations = 3;
+  summary = run(options);
+  check_valid(summary, FFM::Status::iteration_limit);
+  BOOST_TEST(summary.iterations == 3);
+  BOOST_TEST(summary.energy < summary.energy_initial);
+  messages.insert(summary.message);
+
+  options.max_iterations = 0;
+  summary = run(options);
+  check_valid(summary, FFM::Status::iteration_limit);
+  BOOST_TEST(summary.iterations == 0);
+  BOOST_TEST(summary.energy == summary.energy_initial);
+  BOOST_TEST((x == start));
+
+  options = no_rules();
+  options.max_seconds = 0;
+  summary = run(options);
+  check_valid(summary, FFM::Status::time_limit);
+  BOOST_TEST(summary.iterations == 0);
+  BOOST_TEST((x == start));
+  messages.insert(summary.message);
+
+  options = no_rules();
+  options.observer = [](const FFM::Iteration_report& report) { return report.iteration < 2; };
+  summary = run(options);
+  check_valid(summary, FFM::Status::stopped_by_observer);
+  BOOST_TEST(summary.iterations == 2);
+  messages.insert(summary.message);
+
+  BOOST_TEST(messages.size() == 8u);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_observer_may_stop_at_once, Fixture)
+{
+  FFM::Map_options options;
+  int calls = 0;
+  options.observer = [&](const FFM::Iteration_report& report) {
+    ++calls;
+    BOOST_TEST(report.iteration == 0);
+    BOOST_TEST(report.flips == 0);
+    BOOST_TEST(std::abs(report.energy - symmetric_dirichlet<2>(domain, start)) <= 1e-11 * report.energy);
+    return false;
+  };
+  const FFM::Summary summary = run(options);
+  check_valid(summary, FFM::Status::stopped_by_observer);
+  BOOST_TEST(calls == 1);
+  BOOST_TEST((x == start));
+}
+
+BOOST_FIXTURE_TEST_CASE(exceptions_of_the_observer_pass_through, Fixture)
+{
+  FFM::Map_options options;
+  options.observer = [](const FFM::Iteration_report& report) -> bool {
+    if(report.iteration == 2)
+      throw std::runtime_error("enough");
+    return true;
+  };
+  BOOST_CHECK_THROW(run(options), std::runtime_error);
+  BOOST_TEST((x == start));
+}
+
+BOOST_FIXTURE_TEST_CASE(invalid_options, Fixture)
+{
+  typedef FFM::Map_options Options;
+  const std::vector<std::function<void(Options&)>> faults{
+    [](Options& o) { o.characteristic_gradient_tolerance = -1; },
+    [](Options& o) { o.characteristic_gradient_tolerance = not_a_number; },
+    [](Options& o) { o.characteristic_gradient_tolerance = infinity; },
+    [](Options& o) { o.gradient_tolerance = -1; },
+    [](Options& o) { o.gradient_tolerance = not_a_number; },
+    [](Options& o) { o.relative_energy_tolerance = -1; },
+    [](Options& o) { o.relative_energy_tolerance = not_a_number; },
+    [](Options& o) { o.stagnation_iterations = 0; },
+    [](Options& o) { o.target_energy = not_a_number; },
+    [](Options& o) { o.max_iterations = -1; },
+    [](Options& o) { o.max_seconds = -1; },
+    [](Options& o) { o.max_seconds = not_a_number; },
+    [](Options& o) { o.step_fraction = 0; },
+    [](Options& o) { o.step_fraction = 1; },
+    [](Options& o) { o.step_fraction = not_a_number; },
+    [](Options& o) { o.armijo = 0; },
+    [](Options& o) { o.armijo = 0.5; },
+    [](Options& o) { o.armijo = not_a_number; },
+    [](Options& o) { o.max_line_search_steps = 0; }};
+  const std::vector<std::string> fields{"tolerance", "stagnation_iterations", "target_energy", "max_iterations", "max_seconds",
+                                        "step_fraction", "armijo", "max_line_search_steps"};
+  for(const auto& fault : faults) {
+    Options options;
+    fault(options);
+    const FFM::Summary summary = run(options);
+    check_failed(summary, FFM::Status::invalid_option);
+    bool names_field = false;
+    for(const std::string& field : fields)
+      names_field = names_field || summary.message.find(field) != std::string::npos;
+    BOOST_TEST(names_field, summary.message);
+    BOOST_TEST(!options.is_valid());
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(bad_starts, Fixture)
+{
+  const FFM::Positions<2> good = start;
+  for(double bad : {not_a_number, infinity, -infinity}) {
+    start = good;
+    start(1, 20) = bad;
+    check_failed(run(), FFM::Status::start_not_flip_free);
+  }
+  start = good;
+  start.row(0) *= -1;
+  const FFM::Summary mirrored = run();
+  check_failed(mirrored, FFM::Status::start_not_flip_free);
+  BOOST_TEST(mirrored.flips == domain.number_of_elements());
+  // One vertex on the other side of an edge.
+  start = good;
+  start.col(30) = good.col(0) * 2;
+  const FFM::Summary flipped = run();
+  check_failed(flipped, FFM::Status::start_not_flip_free);
+  BOOST_TEST(flipped.flips == number_of_flips(domain, start));
+  // Collapsed to a line, to a point.
+  start = good;
+  start.row(0).setZero();
+  check_failed(run(), FFM::Status::start_not_flip_free);
+  start.setZero();
+  check_failed(run(), FFM::Status::start_not_flip_free);
+}
+
+BOOST_FIXTURE_TEST_CASE(extreme_but_valid_starts, Fixture)
+{
+  const FFM::Summary expected = run();
+  const FFM::Positions<2> good = start;
+  for(double scale : {1e-3, 1e3}) {
+    start = scale * good;
+    const FFM::Summary summary = run();
+    check_valid(summary, FFM::Status::success);
+    BOOST_TEST(std::abs(summary.energy - expected.energy) <= 1e-6);
+  }
+  // Sheared to needles.
+  start = good;
+  start.row(0) += 300 * good.row(1);
+  const FFM::Summary sheared = run();
+  check_valid(sheared, FFM::Status::success);
+  BOOST_TEST(sheared.energy < 0.01 * sheared.energy_initial);
+}
