@@ -13,7 +13,6 @@
 #include "support/mesh_checks.h"
 
 #include <CGAL/boost/graph/Face_filtered_graph.h>
-#include <CGAL/boost/graph/generators.h>
 
 #include <vector>
 
@@ -93,7 +92,7 @@ BOOST_AUTO_TEST_CASE(middle_of_a_sheet)
 BOOST_AUTO_TEST_CASE(northern_half_of_a_sphere)
 {
   Mesh mesh;
-  CGAL::make_icosphere(mesh, 3, Mesh::Point(0, 0, 0), 1.0);
+  add_soup(sphere_soup(), mesh);
   std::vector<Face> chosen;
   for(const Face f : mesh.faces()) {
     double z = 0;
@@ -113,7 +112,7 @@ BOOST_AUTO_TEST_CASE(northern_half_of_a_sphere)
 BOOST_AUTO_TEST_CASE(belt_of_a_sphere)
 {
   Mesh mesh;
-  CGAL::make_icosphere(mesh, 3, Mesh::Point(0, 0, 0), 1.0);
+  add_soup(sphere_soup(), mesh);
   std::vector<Face> chosen;
   for(const Face f : mesh.faces()) {
     double z = 0;

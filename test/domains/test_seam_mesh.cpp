@@ -15,7 +15,6 @@
 #include <CGAL/Flip_free_maps/io.h>
 
 #include <CGAL/boost/graph/Seam_mesh.h>
-#include <CGAL/boost/graph/generators.h>
 
 #include <set>
 #include <string>
@@ -45,7 +44,7 @@ struct Cut_sphere
 
   Cut_sphere()
   {
-    CGAL::make_icosphere(mesh, 2, Mesh::Point(0, 0, 0), 1.0);
+    add_soup(sphere_soup(), mesh);
     edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
     vertices = mesh.add_property_map<Vertex, bool>("v:seam", false).first;
     uv = mesh.add_property_map<Halfedge, Plain_point_2>("h:uv", sentinel).first;

@@ -10,6 +10,7 @@
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -175,6 +176,10 @@ inline const std::array<double, 3>& get(const Point_map& map, Vertex v) { return
 inline Point_map get(CGAL::vertex_point_t, const Mesh& mesh) { return {&mesh}; }
 
 } // namespace own
+
+template <>
+struct CGAL::graph_has_property<own::Mesh, CGAL::vertex_point_t> : CGAL::Tag_true
+{};
 
 template <>
 struct boost::property_map<own::Mesh, CGAL::vertex_point_t>

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -59,6 +60,37 @@ inline Soup bumpy_soup(int columns = 11, int rows = 9)
   return soup;
 }
 
+// The unit sphere between `rings` circles of latitude and two poles.
+inline Soup sphere_soup(int around = 12, int rings = 9)
+{
+  Soup soup;
+  for(int j = 1; j <= rings; ++j)
+    for(int i = 0; i < around; ++i) {
+      const double latitude = CGAL_PI * j / (rings + 1), longitude = 2 * CGAL_PI * (i + 0.5 * (j % 2)) / around;
+      soup.points.push_back({std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude), std::cos(latitude)});
+    }
+  const int north = around * rings, south = north + 1;
+  soup.points.push_back({0, 0, 1});
+  soup.points.push_back({0, 0, -1});
+  for(int i = 0; i < around; ++i) {
+    const int next = (i + 1) % around;
+    soup.triangles.push_back({north, i, next});
+    for(int j = 0; j + 1 < rings; ++j) {
+      const int a = around * j + i, b = around * j + next, c = a + around, d = b + around;
+      // Every other circle is turned by half a step.
+      if(j % 2 == 0) {
+        soup.triangles.push_back({a, d, b});
+        soup.triangles.push_back({a, c, d});
+      } else {
+        soup.triangles.push_back({a, c, b});
+        soup.triangles.push_back({b, c, d});
+      }
+    }
+    soup.triangles.push_back({south, around * (rings - 1) + next, around * (rings - 1) + i});
+  }
+  return soup;
+}
+
 // Adds a soup to a model of MutableFaceGraph; returns its vertices in the order of the points.
 template <typename Mesh>
 std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> add_soup(const Soup& soup, Mesh& mesh)
@@ -94,11 +126,11 @@ typename boost::graph_traits<Mesh>::halfedge_descriptor corner_halfedge(const Me
   return corner_halfedge(mesh, get(CGAL::vertex_point, mesh));
 }
 
-// Converged so far that the energy has all its digits.
+// Converged so far that the energy, whose error is of second order, has nearly all its digits.
 inline CGAL::Flip_free_maps::Flip_free_map_traits<> tight_traits()
 {
   CGAL::Flip_free_maps::Flip_free_map_traits<> traits;
-  traits.options.characteristic_gradient_tolerance = 1e-9;
+  traits.options.characteristic_gradient_tolerance = 1e-7;
   return traits;
 }
 
@@ -146,7 +178,7 @@ void check_map(const Mesh& mesh, VertexUVMap uv, const CGAL::Flip_free_maps::Sum
     BOOST_TEST(std::abs(report.max_singular_value - summary.max_singular_value) <= 1e-9);
     // At the optimum no scaling of the image is better than none.
     BOOST_TEST(std::abs(report.energy_of_similarity - report.energy) <= 1e-9);
-    BOOST_TEST(std::abs(report.image_area / report.rest_area - 1) <= 0.05);
+    BOOST_TEST(std::abs(report.image_area / report.rest_area - 1) <= 0.01 + 0.2 * (energy - 1));
   }
 }
 

@@ -108,7 +108,7 @@ Traits_with_solver<Traits, SparseLinearAlgebraTraits> with_solver(const Traits& 
 /// name is all that it takes. The border is free; the border parameterizer only makes the start. When its border admits no start
 /// without flips (a square whose side holds all three vertices of a triangle, say), the circle is tried.
 ///
-/// \tparam TriangleMesh_ must be a model of `FaceGraph` whose descriptors are `Hashable`
+/// \tparam TriangleMesh_ must be a model of `FaceListGraph` whose descriptors are `Hashable`
 /// \tparam BorderParameterizer_ must be a model of CGAL's concept `Parameterizer_3` for borders, such as
 ///   `CGAL::Surface_mesh_parameterization::Square_border_arc_length_parameterizer_3`.
 ///   <b>Default:</b> \code CGAL::Surface_mesh_parameterization::Circular_border_arc_length_parameterizer_3<TriangleMesh_> \endcode
@@ -224,7 +224,7 @@ private:
   bool place_border(const TriangleMesh& mesh, halfedge_descriptor border_halfedge, const Simplicial_domain<2>& domain,
                     const std::vector<vertex_descriptor>& vertices, VertexIndexMap vertex_index_map, Positions<2>& positions)
   {
-    using Point_2 = typename CGAL::Surface_mesh_parameterization::internal::Kernel_traits<TriangleMesh>::Point_2;
+    using Point_2 = typename CGAL::Surface_mesh_parameterization::internal::Kernel_traits<TriangleMesh>::Kernel::Point_2;
     std::unordered_map<vertex_descriptor, Point_2> uv;
     std::unordered_map<vertex_descriptor, bool> is_parameterized;
     const Error_code code =

@@ -88,6 +88,10 @@ public:
       finish(summary, Status::invalid_option, message);
       return;
     }
+    if(x.cols() != m_domain.number_of_vertices) {
+      finish(summary, Status::invalid_option, "the start must have a column for each vertex");
+      return;
+    }
     try {
       Positions<D> result = x;
       run(result, summary);
@@ -254,8 +258,12 @@ private:
 
       if(!found.success) {
         // A stationary map has no direction of descent beyond rounding.
-        if(std::abs(slope) <= 1e-14 * std::abs(progress.energy) && is_rest_reference) {
+        if(std::abs(slope) <= 1e-12 * std::abs(progress.energy) && is_rest_reference) {
           finish(summary, Status::success, "the predicted decrease of the energy is below rounding");
+          break;
+        }
+        if(retries >= MAX_RETRIES && !solved) {
+          finish(summary, Status::linear_solver_failed, "the linear solver found no direction");
           break;
         }
         if(retries >= MAX_RETRIES) {
@@ -268,6 +276,16 @@ private:
         ++retries;
         is_factorized = false;
         continue;
+      }
+
+      if(options.free_blocked_vertices && found.step < THROTTLED && found.step >= 0.5 * progress.largest_step) {
+        const internal::Phase_timer timer(summary.seconds.line_search);
+        const Eigen::Map<const Positions<D>> d(direction.data(), D, x.cols());
+        m_objective.free_blocked_vertices(
+          m_traits.reference, d, BLOCKED * progress.largest_step,
+          [this](std::int64_t e, const Positions<D>& y) { return internal::is_positively_oriented<Kernel>(m_domain.elements[e], y); },
+          trial);
+        found.energy = m_objective.energy(m_traits.reference, trial);
       }
 
       progress.fresh = age == 0 && Preconditioner::is_second_order;
@@ -319,6 +337,9 @@ private:
   // Relative stiffness on the diagonal for the rotations, which are in the null space of some preconditioners.
   static constexpr double BASE_SHIFT = 1e-9;
   static constexpr int MAX_RETRIES = 5;
+  // A step below THROTTLED that ends at a collapsing element frees the elements that collapse within BLOCKED times its bound.
+  static constexpr double THROTTLED = 0.3;
+  static constexpr double BLOCKED = 4;
 
   const Simplicial_domain<D>& m_domain;
   Traits m_traits;

@@ -64,6 +64,9 @@ struct Map_options
   int max_line_search_steps = 60;
   /// Second-order directions may be followed beyond the full step while the energy decreases.
   bool extend_steps = true;
+  /// After a short step that ended at a collapsing element, the vertices of the elements that were about to collapse are moved to their
+  /// local optimum, one by one.
+  bool free_blocked_vertices = true;
 
   /// Called before the first and after every accepted step; returning `false` stops the run with a valid map.
   std::function<bool(const Iteration_report&)> observer;

@@ -70,12 +70,23 @@ public:
     const double infinity = std::numeric_limits<double>::infinity();
     if(!points.allFinite() || !image.allFinite())
       return fail(Status::non_finite_input, "a coordinate is NaN or infinite in face number ");
+    // The unit of length has the magnitude of the first triangle, so that areas neither overflow nor vanish. It is a power of two,
+    // which rounds nothing.
+    Matrix<3> scaled_points = points;
+    scaled_points.colwise() -= points.col(0).eval();
+    if(m_report.elements == 0) {
+      const double extent = scaled_points.cwiseAbs().maxCoeff();
+      m_exponent = extent > 0 && std::isfinite(extent) ? std::ilogb(extent) : 0;
+    }
+    const auto in_units = [this](double x) { return std::ldexp(x, -m_exponent); };
+    scaled_points = scaled_points.unaryExpr(in_units).eval();
     Matrix<2> rest_inverse;
     double area;
-    if(!planar_rest_shape(points.col(0), points.col(1), points.col(2), rest_inverse, area))
+    if(!planar_rest_shape(scaled_points.col(0), scaled_points.col(1), scaled_points.col(2), rest_inverse, area))
       return fail(Status::degenerate_rest_element, "zero area, or none within double precision, has face number ");
     Matrix<2> edges;
     edges << image.col(1) - image.col(0), image.col(2) - image.col(0);
+    edges = edges.unaryExpr(in_units).eval();
     const Vector<2> s = signed_singular_values(Matrix<2>(edges * rest_inverse));
     const bool is_positive = Kernel::Orientation_2()(Kernel::Point_2(image(0, 0), image(1, 0)), Kernel::Point_2(image(0, 1), image(1, 1)),
                                                      Kernel::Point_2(image(0, 2), image(1, 2))) == CGAL::POSITIVE;
@@ -119,11 +130,14 @@ public:
     m_report.mean_area_distortion /= m_report.rest_area;
     // Scaling the image by t makes it (t^2 a + b / t^2) / 4, smallest for t^4 = b / a.
     m_report.energy_of_similarity = 0.5 * std::sqrt(m_squares / m_report.rest_area) * std::sqrt(m_inverse_squares / m_report.rest_area);
+    m_report.rest_area = std::ldexp(m_report.rest_area, 2 * m_exponent);
+    m_report.image_area = std::ldexp(m_report.image_area, 2 * m_exponent);
     return m_report;
   }
 
 private:
   Distortion_report m_report;
+  int m_exponent = 0; // binary logarithm of the unit of length
   double m_squares = 0;
   double m_inverse_squares = 0;
 };

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/internal/flatten.h>
+#include <CGAL/Flip_free_maps/internal/make_start.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -20,7 +21,7 @@ namespace Flip_free_maps {
 /// \ingroup PkgFlipFreeMapsRef
 /// Flattens a surface patch into the plane with as little distortion as possible and no flipped triangle.
 ///
-/// \tparam TriangleMesh must be a model of `FaceGraph` whose descriptors are `Hashable`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`,
+/// \tparam TriangleMesh must be a model of `FaceListGraph` whose descriptors are `Hashable`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`,
 ///   `CGAL::Seam_mesh`, `CGAL::Face_filtered_graph`, OpenMesh, or a user's own
 /// \tparam VertexUVMap must be a model of `WritablePropertyMap` with vertex descriptors as keys and planar points as values
 /// \tparam Traits must be a model of `MapTraits`
@@ -65,8 +66,7 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
   used.options.max_iterations = static_cast<int>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), used.options.max_iterations));
   const auto start = [&](const Simplicial_domain<2>& domain, const auto&, Positions<2>& x, std::string& name, std::string& message) {
-    const Tutte_initializer<typename Traits::Kernel, typename Traits::Linear_solver, typename Traits::Concurrency_tag> tutte(used.start);
-    return tutte(domain, [&used] { return used.make_linear_solver(); }, x, name, message);
+    return internal::make_start(domain, used, x, name, message);
   };
   return internal::flatten(mesh, border_halfedge, vertex_points, uv_map, used, start);
 }

@@ -38,7 +38,7 @@ namespace Flip_free_maps {
 /// vertices. Vertices are numbered in the order in which a walk over the faces meets them, so neither gaps in the mesh' indices nor
 /// other components matter. Triangles are laid isometrically in the plane.
 ///
-/// \tparam TriangleMesh must be a model of `FaceGraph` whose vertex and face descriptors are `Hashable`
+/// \tparam TriangleMesh must be a model of `FaceListGraph` whose vertex and face descriptors are `Hashable`
 template <typename TriangleMesh>
 class Face_graph_domain
 {
@@ -82,7 +82,7 @@ public:
     if(status == Status::success)
       status = check_topology(mesh, border_halfedge, message);
     if(status == Status::success)
-      status = measure(vertex_points, message);
+      status = measure(mesh, vertex_points, message);
     return status;
   }
 
@@ -93,7 +93,17 @@ public:
   const std::vector<vertex_descriptor>& vertices() const { return m_vertices; }
 
 private:
-  static std::string numbered(const char* text, std::size_t number) { return text + std::to_string(number); }
+  // The text and the number that the mesh itself gives to the face: its place among all faces.
+  static std::string numbered(const char* text, const TriangleMesh& mesh, face_descriptor named)
+  {
+    std::size_t number = 0;
+    for(const face_descriptor f : faces(mesh)) {
+      if(f == named)
+        break;
+      ++number;
+    }
+    return text + std::to_string(number);
+  }
 
   std::int32_t number(vertex_descriptor v)
   {
@@ -109,13 +119,14 @@ private:
     const auto null_face = boost::graph_traits<TriangleMesh>::null_face();
     m_numbers.clear();
     std::unordered_set<face_descriptor> seen{first};
-    std::vector<face_descriptor> queue{first};
+    std::vector<face_descriptor>& queue = m_faces;
+    queue.assign(1, first);
     m_inner_halfedges = 0;
     m_border_halfedges = 0;
     for(std::size_t q = 0; q < queue.size(); ++q) {
       const halfedge_descriptor h = halfedge(queue[q], mesh);
       if(next(next(next(h, mesh), mesh), mesh) != h || next(next(h, mesh), mesh) == h) {
-        message = numbered("the mesh must consist of triangles; not so face number ", q);
+        message = numbered("the mesh must consist of triangles; not so face number ", mesh, queue[q]);
         return Status::not_triangular;
       }
       Simplicial_domain<2>::Element element;
@@ -132,7 +143,7 @@ private:
           queue.push_back(neighbor);
       }
       if(element[0] == element[1] || element[1] == element[2] || element[2] == element[0]) {
-        message = numbered("a vertex occurs twice in face number ", q);
+        message = numbered("a vertex occurs twice in face number ", mesh, queue[q]);
         return Status::non_manifold;
       }
       m_domain.elements.push_back(element);
@@ -200,7 +211,7 @@ private:
   }
 
   template <typename VertexPointMap>
-  Status measure(const VertexPointMap& vertex_points, std::string& message)
+  Status measure(const TriangleMesh& mesh, const VertexPointMap& vertex_points, std::string& message)
   {
     const std::size_t n = m_vertices.size();
     Positions<3> points(3, n);
@@ -230,7 +241,7 @@ private:
       const auto& v = m_domain.elements[e];
       if(!internal::planar_rest_shape(points.col(v[0]), points.col(v[1]), points.col(v[2]), m_domain.rest_inverses[e],
                                       m_domain.measures[e])) {
-        message = numbered("zero area, or none within double precision, has face number ", e);
+        message = numbered("zero area, or none within double precision, has face number ", mesh, m_faces[e]);
         return Status::degenerate_rest_element;
       }
       total += m_domain.measures[e];
@@ -240,17 +251,20 @@ private:
       m_domain.measures[e] /= total;
       m_domain.rest_inverses[e] *= length;
     }
+    points /= length;
     m_domain.scale = extent * length;
 
     const std::size_t b = m_domain.border.size();
     m_domain.border_lengths.resize(b);
     for(std::size_t i = 0; i < b; ++i)
-      m_domain.border_lengths[i] = (points.col(m_domain.border[(i + 1) % b]) - points.col(m_domain.border[i])).norm() / length;
+      m_domain.border_lengths[i] = (points.col(m_domain.border[(i + 1) % b]) - points.col(m_domain.border[i])).norm();
+    m_domain.rest_points.swap(points);
     return Status::success;
   }
 
   Simplicial_domain<2> m_domain;
   std::vector<vertex_descriptor> m_vertices;
+  std::vector<face_descriptor> m_faces;
   std::unordered_map<vertex_descriptor, std::int32_t> m_numbers;
   std::size_t m_inner_halfedges = 0;
   std::size_t m_border_halfedges = 0;

@@ -49,6 +49,9 @@ struct Simplicial_domain
   std::vector<double> measures;
   /// Number of vertices.
   std::int32_t number_of_vertices = 0;
+  /// For a surface in space: the rest positions of its vertices, in this domain's units. Needed by starts that simplify the surface;
+  /// may be empty.
+  Positions<3> rest_points;
   /// User's unit of length over this domain's unit of length.
   double scale = 1;
   /// For a disk: its border vertices, counterclockwise as seen from the elements. Otherwise empty.

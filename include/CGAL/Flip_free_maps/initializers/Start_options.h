@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,11 @@ struct Start_options
   Border_shape border = Border_shape::circle;      ///< shape of the border
   std::vector<std::array<double, 2>> polygon;      ///< corners of a convex polygon, for `Border_shape::polygon`
   Tutte_weights weights = Tutte_weights::uniform;  ///< weights to begin with
+  /// From this number of faces on, the start is found from coarse to fine; below, or when negative, by a Tutte embedding.
+  std::int64_t multilevel_size = 5000;
+  std::int64_t coarsest_size = 800;                ///< faces of the simplest surface
+  double level_ratio = 3;                          ///< the map is optimised when the number of faces has grown by this factor
+  double level_tolerance = 1e-3;                   ///< relative decrease of the energy at which such an optimisation ends
   bool fall_back = true;                           ///< whether other weights and a circle are tried when elements are flipped
   /// Whether border vertices of a single triangle go to their optimum (Claici et al., section 5.4). Off: over 49 surfaces the default
   /// method needed 3 % more factorizations with it (geometric mean; fewer on 9, more on 8).

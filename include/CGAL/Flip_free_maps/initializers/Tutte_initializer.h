@@ -123,9 +123,9 @@ public:
         // A triangle with all its vertices on one side of a polygon is flat; its flap has a better place outside.
         if(m_options.place_flaps || flips != 0) {
           const Positions<2> embedded = x;
-          place_flaps(domain, x);
+          const bool has_flaps = place_flaps(domain, x);
           const std::int64_t flips_after = count();
-          has_placed_flaps = flips_after == 0 || flips_after < flips;
+          has_placed_flaps = has_flaps && (flips_after == 0 || flips_after < flips);
           if(has_placed_flaps)
             flips = flips_after;
           else
@@ -307,18 +307,21 @@ private:
       x.row(0) *= -1;
   }
 
-  // The optimum of a border vertex of a single triangle for isometric distortions, with the opposite edge as it is.
-  static void place_flaps(const Simplicial_domain<2>& domain, Positions<2>& x)
+  // The optimum of a border vertex of a single triangle for isometric distortions, with the opposite edge as it is. Returns whether
+  // there is such a vertex.
+  static bool place_flaps(const Simplicial_domain<2>& domain, Positions<2>& x)
   {
     std::vector<std::int32_t> degree(domain.number_of_vertices, 0);
     for(const auto& element : domain.elements)
       for(std::int32_t v : element)
         ++degree[v];
+    bool has_flaps = false;
     for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
       for(int k = 0; k < 3; ++k) {
         const auto& v = domain.elements[e];
         if(degree[v[k]] != 1)
           continue;
+        has_flaps = true;
         const Eigen::Matrix2d edges = domain.rest_inverses[e].inverse();
         const Eigen::Vector2d rest[3] = {Eigen::Vector2d::Zero(), edges.col(0), edges.col(1)};
         const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -330,6 +333,7 @@ private:
         x.col(v[k]) = (1 - beta) * p + beta * q + gamma * normal;
         break;
       }
+    return has_flaps;
   }
 
   Start_options m_options;

@@ -11,10 +11,12 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Element_schedule.h>
 #include <CGAL/Flip_free_maps/internal/Signed_svd.h>
+#include <CGAL/Flip_free_maps/internal/Vertex_relaxation.h>
 #include <CGAL/Flip_free_maps/line_search/largest_flip_free_step.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -113,6 +115,46 @@ public:
     });
   }
 
+  // Moves the vertices of the elements that would collapse within `bound` along the direction, each to the optimum of the elements around
+  // it: such elements hold up the whole map, and need a place of their own first. `is_positive(e, x)` has the last word on each move.
+  template <typename IsPositive>
+  void free_blocked_vertices(const Reference& reference, const Positions<D>& direction, double bound, IsPositive&& is_positive,
+                             Positions<D>& x)
+  {
+    if(m_star_begin.empty())
+      build_stars();
+    std::vector<std::int32_t> blocked;
+    for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e)
+      if(largest_flip_free_step(m_domain.image_edges(e, x), m_domain.image_edges(e, direction)) <= bound)
+        blocked.insert(blocked.end(), m_domain.elements[e].begin(), m_domain.elements[e].end());
+    std::sort(blocked.begin(), blocked.end());
+    blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
+
+    Vertex_relaxation<D, Energy> relaxation(m_energy);
+    for(std::int32_t v : blocked) {
+      relaxation.clear();
+      for(std::int64_t i = m_star_begin[v]; i < m_star_begin[v + 1]; ++i) {
+        const std::int64_t e = m_stars[i];
+        const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
+        int k = 0;
+        while(m_domain.elements[e][k] != v)
+          ++k;
+        const Vector<D> hat = k == 0 ? Vector<D>(-rest_inverse.colwise().sum().transpose()) : Vector<D>(rest_inverse.row(k - 1).transpose());
+        relaxation.add(m_domain.image_edges(e, x) * rest_inverse, hat, reference.weight(m_domain, e));
+      }
+      const Vector<D> origin = x.col(v);
+      Vector<D> u = Vector<D>::Zero();
+      relaxation.relax(u, 2, [&](const Vector<D>& displacement) {
+        x.col(v) = origin + displacement;
+        for(std::int64_t i = m_star_begin[v]; i < m_star_begin[v + 1]; ++i)
+          if(!is_positive(m_stars[i], x))
+            return false;
+        return true;
+      });
+      x.col(v) = origin + u;
+    }
+  }
+
   // Smallest and largest signed singular value over all elements.
   std::pair<double, double> singular_value_range(const Positions<D>& x) const
   {
@@ -124,8 +166,24 @@ public:
   }
 
 private:
-  // Adds weight * (B^T H B) of one element, with B the map from its vertices' displacements to dJ. A displacement u of vertex k
-  // changes K by (U^T u) (column k of hats)^T. Rows sum to zero, so the blocks of vertex 0 follow from the others.
+  // The elements around each vertex.
+  void build_stars()
+  {
+    m_star_begin.assign(m_domain.number_of_vertices + 1, 0);
+    for(const Element& element : m_domain.elements)
+      for(std::int32_t v : element)
+        ++m_star_begin[v + 1];
+    for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
+      m_star_begin[v + 1] += m_star_begin[v];
+    m_stars.resize(m_star_begin.back());
+    std::vector<std::int64_t> next(m_star_begin.begin(), m_star_begin.end() - 1);
+    for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e)
+      for(std::int32_t v : m_domain.elements[e])
+        m_stars[next[v]++] = static_cast<std::int32_t>(e);
+  }
+
+  // Adds weight * (B^T H B) of one element, with B the map from its vertices' displacements to dJ. Rows sum to zero, so the blocks of
+  // vertex 0 follow from the others.
   void scatter_form(std::int64_t e, double weight, const Matrix<D>& U, const Matrix<D>& hats, const Increment_form<D>& form)
   {
     std::array<std::array<Matrix<D>, D + 1>, D + 1> blocks;
@@ -134,20 +192,8 @@ private:
       blocks[0][k].setZero();
     for(int k = 0; k < D; ++k)
       for(int l = k; l < D; ++l) {
-        const Vector<D> h_k = hats.col(k), h_l = hats.col(l);
-        Matrix<D> m;
-        for(int i = 0; i < D; ++i)
-          for(int j = 0; j < D; ++j)
-            m(i, j) = form.stretch(i, j) * h_k[i] * h_l[j];
-        for_each_pair<D>([&](int p, int i, int j) {
-          const auto& pair = form.pairs[p];
-          m(i, i) += pair.ij_ij * h_k[j] * h_l[j];
-          m(j, j) += pair.ji_ji * h_k[i] * h_l[i];
-          m(i, j) += pair.ij_ji * h_k[j] * h_l[i];
-          m(j, i) += pair.ij_ji * h_k[i] * h_l[j];
-        });
         Matrix<D>& block = blocks[k + 1][l + 1];
-        block = weight * (U * m * U.transpose());
+        block = weight * (U * form.block(hats.col(k), hats.col(l)) * U.transpose());
         blocks[0][l + 1] -= block;
         if(l != k)
           blocks[0][k + 1] -= block.transpose();
@@ -170,6 +216,8 @@ private:
   Element_schedule m_schedule;
   Block_sparse_matrix m_matrix;
   std::vector<std::array<std::int32_t, PAIRS>> m_slots;
+  std::vector<std::int64_t> m_star_begin; // among m_stars, for each vertex
+  std::vector<std::int32_t> m_stars;
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <Eigen/SVD>
 
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -77,6 +78,13 @@ inline void signed_svd(const Matrix<2>& J, Signed_svd<2>& svd)
 
 inline void signed_svd(const Matrix<3>& J, Signed_svd<3>& svd)
 {
+  // Eigen leaves the result of other matrices undefined.
+  if(!J.allFinite()) {
+    svd.U.setIdentity();
+    svd.V.setIdentity();
+    svd.s.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   Eigen::JacobiSVD<Matrix<3>, Eigen::NoQRPreconditioner> jacobi(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
   svd.U = jacobi.matrixU();
   svd.V = jacobi.matrixV();

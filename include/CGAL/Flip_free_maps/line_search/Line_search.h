@@ -50,8 +50,8 @@ Line_search_result line_search(Energy&& energy, double energy_0, double slope, d
   for(; result.evaluations < options.max_line_search_steps;) {
     const double e = energy(step);
     ++result.evaluations;
-    // Written so that NaN fails the test.
-    if(e <= energy_0 + options.armijo * step * slope) {
+    // Close to a minimum the bound rounds to the energy itself, hence the second test.
+    if(std::isfinite(e) && e <= energy_0 + options.armijo * step * slope && e < energy_0) {
       result.success = true;
       result.step = step;
       result.energy = e;

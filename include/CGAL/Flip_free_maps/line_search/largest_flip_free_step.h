@@ -19,13 +19,20 @@
 namespace CGAL {
 namespace Flip_free_maps {
 
-/// \ingroup PkgFlipFreeMapsRef
-/// The smallest a > 0 with det(edges + a increment) = 0 for a triangle, `infinity` when there is none: the step at which a positively
-/// oriented triangle collapses (Smith and Schaefer 2015, section 3.3). The determinant is a quadratic in a; its root is taken in
-/// the form that does not cancel, without absolute thresholds, so that tiny triangles are judged like large ones.
-///
-/// \pre `edges` has a positive determinant
-inline double largest_flip_free_step(const Eigen::Matrix2d& edges, const Eigen::Matrix2d& increment)
+namespace internal {
+
+// Products of coordinates must neither vanish nor overflow: both matrices are scaled to 1, and the step is scaled back.
+template <typename Matrix, typename Step>
+double scaled_step(const Matrix& edges, const Matrix& increment, Step&& step)
+{
+  const double size = edges.cwiseAbs().maxCoeff(), speed = increment.cwiseAbs().maxCoeff();
+  if(speed == 0)
+    return std::numeric_limits<double>::infinity();
+  return step(Matrix(edges / size), Matrix(increment / speed)) * (size / speed);
+}
+
+// For elements of moderate size; see below.
+inline double step_of_triangle(const Eigen::Matrix2d& edges, const Eigen::Matrix2d& increment)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const double c = edges.determinant();
@@ -43,8 +50,6 @@ inline double largest_flip_free_step(const Eigen::Matrix2d& edges, const Eigen::
   }
   return a < 0 ? (b + root) / (-2 * a) : infinity;
 }
-
-namespace internal {
 
 // Smallest positive root of c_0 + c_1 a + c_2 a^2 + c_3 a^3 with c_0 > 0, infinity when there is none. The cubic is cut at its
 // extrema into monotone pieces; the first that ends at or below zero brackets the root, which bisection then encloses from below.
@@ -97,7 +102,28 @@ inline double smallest_positive_root(double c_0, double c_1, double c_2, double 
   return low;
 }
 
+inline double step_of_tetrahedron(const Eigen::Matrix3d& edges, const Eigen::Matrix3d& increment)
+{
+  const auto mixed = [](const Eigen::Matrix3d& x, const Eigen::Matrix3d& y) {
+    return y.col(0).dot(x.col(1).cross(x.col(2))) + y.col(1).dot(x.col(2).cross(x.col(0))) + y.col(2).dot(x.col(0).cross(x.col(1)));
+  };
+  return internal::smallest_positive_root(edges.determinant(), mixed(edges, increment), mixed(increment, edges),
+                                          increment.determinant());
+}
+
 } // namespace internal
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The smallest a > 0 with det(edges + a increment) = 0 for a triangle, `infinity` when there is none: the step at which a positively
+/// oriented triangle collapses (Smith and Schaefer 2015, section 3.3). The determinant is a quadratic in a; its root is taken in
+/// the form that does not cancel, without absolute thresholds, so that tiny triangles are judged like large ones.
+///
+/// \pre `edges` has a positive determinant
+inline double largest_flip_free_step(const Eigen::Matrix2d& edges, const Eigen::Matrix2d& increment)
+{
+  return internal::scaled_step(edges, increment, internal::step_of_triangle);
+}
+
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The smallest a > 0 with det(edges + a increment) = 0 for a tetrahedron, `infinity` when there is none. The determinant is a cubic in
@@ -107,11 +133,7 @@ inline double smallest_positive_root(double c_0, double c_1, double c_2, double 
 /// \pre `edges` has a positive determinant
 inline double largest_flip_free_step(const Eigen::Matrix3d& edges, const Eigen::Matrix3d& increment)
 {
-  const auto mixed = [](const Eigen::Matrix3d& x, const Eigen::Matrix3d& y) {
-    return y.col(0).dot(x.col(1).cross(x.col(2))) + y.col(1).dot(x.col(2).cross(x.col(0))) + y.col(2).dot(x.col(0).cross(x.col(1)));
-  };
-  return internal::smallest_positive_root(edges.determinant(), mixed(edges, increment), mixed(increment, edges),
-                                          increment.determinant());
+  return internal::scaled_step(edges, increment, internal::step_of_tetrahedron);
 }
 
 } // namespace Flip_free_maps

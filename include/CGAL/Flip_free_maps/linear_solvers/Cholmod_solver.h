@@ -113,7 +113,8 @@ public:
     cholmod_sparse full = view(matrix.rows(), matrix.column_starts(), matrix.row_indices(), matrix.values().data());
     const Single_blas_thread guard;
     cholmod_l_factorize(&full, m_factor, &m_common);
-    m_factorized = m_common.status == CHOLMOD_OK && m_factor->minor == m_factor->n;
+    // A NaN in the matrix is no error to CHOLMOD, but leaves no condition number.
+    m_factorized = m_common.status == CHOLMOD_OK && m_factor->minor == m_factor->n && cholmod_l_rcond(m_factor, &m_common) > 0;
     return m_factorized;
   }
 

@@ -43,6 +43,9 @@ public:
   /// Factorizes; the pattern must be the one analysed. `false` when a pivot vanishes or is not finite.
   bool factorize(const Block_sparse_matrix& matrix)
   {
+    m_factorized = false;
+    if(m_matrix.nonZeros() != matrix.number_of_entries())
+      return false;
     std::copy(matrix.values().begin(), matrix.values().end(), m_matrix.valuePtr());
     m_solver.factorize(m_matrix);
     m_factorized = m_solver.info() == Eigen::Success && m_solver.vectorD().allFinite();

@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_COMPOSITE_MAJORIZATION_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_COMPOSITE_MAJORIZATION_H
 
+#include <CGAL/Flip_free_maps/internal/energy_members.h>
 #include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
@@ -41,18 +42,20 @@ struct Composite_majorization
   void form(const Element_state<D>& state, const Energy& energy, Increment_form<D>& form) const
   {
     static_assert(D == 2, "composite majorization of singular values is a method of the plane");
+    static_assert(internal::Has_convex_hessian<Energy, D>::value,
+                  "composite majorization needs an energy with a convex part: a model of ConvexConcaveEnergy");
     energy.template convex_hessian<D>(state.s, state.hessian, form.stretch);
     const double h_0 = state.gradient[0], h_1 = state.gradient[1];
-    if(gather_terms) {
-      form.pairs[0].set_modes((std::max)(internal::symmetric_mode(state, 0, 1), 0.),
-                              (std::max)(internal::twist_mode(state, 0, 1), 0.));
-      return;
+    double symmetric = (std::max)(internal::symmetric_mode(state, 0, 1), 0.);
+    double twist = (std::max)(internal::twist_mode(state, 0, 1), 0.);
+    if(!gather_terms) {
+      // Equation (17) has a pole at equal singular values that does not cancel, and rounds to 0 / 0 close to it. With a floor under the
+      // difference it stays finite; it majorizes equation (18) everywhere else.
+      const double difference = (std::max)(state.s[0] - state.s[1], 1e-8 * state.s[0]);
+      symmetric = (std::max)(symmetric, ((std::max)(h_0, 0.) + (std::max)(-h_1, 0.)) / difference);
+      twist = (std::max)(twist, ((std::max)(h_0, 0.) + (std::max)(h_1, 0.)) / (state.s[0] + state.s[1]));
     }
-    // Equation (17) has a pole at equal singular values that does not cancel; the floor keeps the matrix finite.
-    const double difference = (std::max)(state.s[0] - state.s[1], 1e-8 * state.s[0]);
-    const double sum = state.s[0] + state.s[1];
-    form.pairs[0].set_modes(((std::max)(h_0, 0.) + (std::max)(-h_1, 0.)) / difference,
-                            ((std::max)(h_0, 0.) + (std::max)(h_1, 0.)) / sum);
+    form.pairs[0].set_modes(symmetric, twist);
   }
 };
 

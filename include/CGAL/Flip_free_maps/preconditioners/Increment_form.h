@@ -35,6 +35,20 @@ struct Element_state
   internal::Matrix<D> hessian;  ///< psi_ij
 };
 
+namespace internal {
+
+// Calls f(p, i, j) for the pairs i < j in the order in which an Increment_form holds them.
+template <int D, typename F>
+void for_each_pair(F&& f)
+{
+  int p = 0;
+  for(int i = 0; i < D; ++i)
+    for(int j = i + 1; j < D; ++j)
+      f(p++, i, j);
+}
+
+} // namespace internal
+
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// A quadratic form on the increment K = U^T dJ V of one element's Jacobian, in the frame of its singular vectors: the D x D
 /// matrix `stretch` acts on the diagonal (K_11, .., K_DD), and one symmetric 2 x 2 matrix on each pair (K_ij, K_ji), i < j.
@@ -62,19 +76,25 @@ struct Increment_form
 
   internal::Matrix<D> stretch;               ///< acts on the diagonal of K
   std::array<Pair, number_of_pairs> pairs{}; ///< act on the pairs of off-diagonal entries of K
+
+  /// The D x D matrix M with y^T M z the form's bilinear value on K = y h^T and K = z g^T. A displacement of a vertex changes K by the
+  /// displacement, turned by U^T, times the gradient of its hat function, turned by V^T; so this is the block of two vertices, in the
+  /// frame of U, with the turned gradients h and g.
+  internal::Matrix<D> block(const internal::Vector<D>& h, const internal::Vector<D>& g) const
+  {
+    internal::Matrix<D> m = stretch.cwiseProduct(h * g.transpose());
+    internal::for_each_pair<D>([&](int p, int i, int j) {
+      const Pair& pair = pairs[p];
+      m(i, i) += pair.ij_ij * h[j] * g[j];
+      m(j, j) += pair.ji_ji * h[i] * g[i];
+      m(i, j) += pair.ij_ji * h[j] * g[i];
+      m(j, i) += pair.ij_ji * h[i] * g[j];
+    });
+    return m;
+  }
 };
 
 namespace internal {
-
-// Calls f(p, i, j) for the pairs i < j in the order in which an Increment_form holds them.
-template <int D, typename F>
-void for_each_pair(F&& f)
-{
-  int p = 0;
-  for(int i = 0; i < D; ++i)
-    for(int j = i + 1; j < D; ++j)
-      f(p++, i, j);
-}
 
 // Second derivative of the energy along one stretch at the identity: constant preconditioners and the Killing operator are
 // scaled by it so that the full step is the natural one near an isometry.

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_ENERGIES_ANY_ENERGY_H
+#define CGAL_FLIP_FREE_MAPS_ENERGIES_ANY_ENERGY_H
+
+#include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
+#include <CGAL/Flip_free_maps/internal/energy_members.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsEnergies
+/// An energy with a barrier that is chosen at run time: it holds a model of `DistortionEnergy` whose type it forgets, so that one
+/// instantiation of an algorithm serves all energies. Copies share the energy they hold, which does not change.
+///
+/// \cgalModels{DistortionEnergy}
+class Any_energy
+{
+public:
+  /// Only energies with a barrier can be held.
+  static constexpr bool has_barrier = true;
+
+  /// "any", the same for all objects; see `energy_name()`.
+  static const char* name() { return "any"; }
+
+  /// Holds a `Symmetric_dirichlet`.
+  Any_energy() : Any_energy(Symmetric_dirichlet()) {}
+
+  /// Holds a copy of `energy`.
+  /// \tparam Energy must be a model of `DistortionEnergy` for both dimensions, with a barrier
+  template <typename Energy, typename = std::enable_if_t<!std::is_same<Energy, Any_energy>::value>>
+  explicit Any_energy(const Energy& energy) : m_energy(std::make_shared<Model<Energy>>(energy))
+  {
+    static_assert(Energy::has_barrier, "Any_energy holds energies with a barrier");
+  }
+
+  /// The name of the energy that is held.
+  std::string energy_name() const { return m_energy->name(); }
+
+  /// psi at the singular values `s`.
+  template <int D>
+  double value(const Eigen::Matrix<double, D, 1>& s) const
+  {
+    return m_energy->value(s);
+  }
+
+  /// First and second derivatives of psi in the singular values.
+  template <int D>
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
+                   Eigen::Matrix<double, D, D>& hessian) const
+  {
+    m_energy->derivatives(s, gradient, hessian);
+  }
+
+  /// The singular values that `Slim` leads to.
+  template <int D>
+  Eigen::Matrix<double, D, 1> slim_target(const Eigen::Matrix<double, D, 1>& s) const
+  {
+    return m_energy->slim_target(s);
+  }
+
+private:
+  struct Base
+  {
+    virtual ~Base() = default;
+    virtual const char* name() const = 0;
+    virtual double value(const Eigen::Vector2d& s) const = 0;
+    virtual double value(const Eigen::Vector3d& s) const = 0;
+    virtual void derivatives(const Eigen::Vector2d& s, Eigen::Vector2d& gradient, Eigen::Matrix2d& hessian) const = 0;
+    virtual void derivatives(const Eigen::Vector3d& s, Eigen::Vector3d& gradient, Eigen::Matrix3d& hessian) const = 0;
+    virtual Eigen::Vector2d slim_target(const Eigen::Vector2d& s) const = 0;
+    virtual Eigen::Vector3d slim_target(const Eigen::Vector3d& s) const = 0;
+  };
+
+  template <typename Energy>
+  struct Model final : Base
+  {
+    explicit Model(const Energy& e) : energy(e) {}
+    const char* name() const override { return Energy::name(); }
+    double value(const Eigen::Vector2d& s) const override { return energy.template value<2>(s); }
+    double value(const Eigen::Vector3d& s) const override { return energy.template value<3>(s); }
+    void derivatives(const Eigen::Vector2d& s, Eigen::Vector2d& gradient, Eigen::Matrix2d& hessian) const override
+    {
+      energy.template derivatives<2>(s, gradient, hessian);
+    }
+    void derivatives(const Eigen::Vector3d& s, Eigen::Vector3d& gradient, Eigen::Matrix3d& hessian) const override
+    {
+      energy.template derivatives<3>(s, gradient, hessian);
+    }
+    Eigen::Vector2d slim_target(const Eigen::Vector2d& s) const override { return internal::slim_target<2>(energy, s); }
+    Eigen::Vector3d slim_target(const Eigen::Vector3d& s) const override { return internal::slim_target<3>(energy, s); }
+
+    Energy energy;
+  };
+
+  std::shared_ptr<const Base> m_energy;
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_ENERGIES_ANY_ENERGY_H

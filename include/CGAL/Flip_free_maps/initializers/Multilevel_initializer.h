@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_MULTILEVEL_INITIALIZER_H
+#define CGAL_FLIP_FREE_MAPS_INITIALIZERS_MULTILEVEL_INITIALIZER_H
+
+#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
+#include <CGAL/Flip_free_maps/internal/Element_schedule.h>
+#include <CGAL/Flip_free_maps/internal/Progressive_disk.h>
+#include <CGAL/Flip_free_maps/internal/Vertex_placement.h>
+#include <CGAL/Flip_free_maps/internal/count_flips.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsInitializers
+/// A start that is close to the optimum already: the surface is simplified by edge collapses, its simplest form embedded and
+/// optimised, and the vertices are put back in the reverse order, each in the kernel of its neighbours' ring where its own triangles'
+/// energy is least. The map is optimised again each time the number of triangles has grown by a factor. Large deformations are thus
+/// found on few triangles, and every vertex is placed at a size that double precision handles, so that long thin tubes, on which
+/// Tutte embeddings collapse, are no obstacle.
+///
+/// \tparam Traits must be a model of `MapTraits`, whose minimizer optimises the levels
+///
+/// \cgalModels{Initializer}
+template <typename Traits>
+class Multilevel_initializer
+{
+  using Kernel = typename Traits::Kernel;
+  using Tag = typename Traits::Concurrency_tag;
+  using Tutte = Tutte_initializer<Kernel, typename Traits::Linear_solver, Tag>;
+
+public:
+  /// Settings are copied; those of the levels are in `Traits::start`.
+  explicit Multilevel_initializer(const Traits& traits) : m_traits(traits)
+  {
+    m_traits.options.observer = nullptr;
+    m_traits.options.relative_energy_tolerance = m_traits.start.level_tolerance;
+    m_traits.options.characteristic_gradient_tolerance = 0;
+    m_traits.options.gradient_tolerance = 0;
+    m_traits.options.stagnation_iterations = 5;
+  }
+
+  /// Computes the start.
+  ///
+  /// \param domain a disk with its border and its rest points in space
+  /// \param x the start, positively oriented; undefined after a failure
+  /// \param name what was done
+  /// \param message why it failed
+  /// \returns `success`, `invalid_option`, `start_not_flip_free`, or a failure of `Map_minimizer`
+  ///
+  /// Complexity: about n log n for the simplification, and the factorizations of all levels, whose sizes form a geometric series.
+  Status operator()(const Simplicial_domain<2>& domain, Positions<2>& x, std::string& name, std::string& message)
+  {
+    internal::Progressive_disk disk(domain);
+    x.setZero(2, domain.number_of_vertices);
+    internal::Vertex_placement<Kernel, typename Traits::Energy> placement(disk, m_traits.energy, x);
+    const auto make_solver = [this] { return m_traits.make_linear_solver(); };
+
+    // Where even the simplified surface has no flip-free embedding in double precision, simpler ones are tried.
+    std::string start_name;
+    for(std::int64_t wanted = m_traits.start.coarsest_size;; wanted /= 4) {
+      disk.coarsen(wanted);
+      std::vector<std::int32_t> vertices;
+      const Simplicial_domain<2> coarse = disk.domain(vertices);
+      Positions<2> y;
+      Status status = Tutte(m_traits.start)(coarse, make_solver, y, start_name, message);
+      if(status == Status::invalid_option)
+        return status;
+      if(status == Status::success) {
+        status = optimize(coarse, vertices, y, x, message);
+        if(status != Status::success)
+          return status;
+        break;
+      }
+      if(wanted < 12)
+        return Status::start_not_flip_free;
+    }
+    std::int64_t optimized = disk.number_of_triangles();
+    name = "multilevel (" + std::to_string(optimized) + " faces by " + start_name;
+    const std::size_t passes = disk.number_of_passes();
+    int levels = 1;
+    while(disk.number_of_passes() > 0) {
+      if(!put_back(disk, placement, message))
+        return Status::start_not_flip_free;
+      if(disk.number_of_passes() > 0 && disk.number_of_triangles() >= m_traits.start.level_ratio * optimized &&
+         m_traits.start.level_ratio * disk.number_of_triangles() <= 1.5 * domain.number_of_elements()) {
+        std::vector<std::int32_t> vertices;
+        const Simplicial_domain<2> level = disk.domain(vertices);
+        Positions<2> y(2, vertices.size());
+        for(std::size_t v = 0; v < vertices.size(); ++v)
+          y.col(v) = x.col(vertices[v]) / level.scale;
+        const Status status = optimize(level, vertices, y, x, message);
+        if(status != Status::success)
+          return status;
+        optimized = disk.number_of_triangles();
+        ++levels;
+      }
+    }
+    name += "; " + std::to_string(passes) + " passes, " + std::to_string(levels) + " levels)";
+
+    internal::Element_schedule schedule;
+    schedule.build(domain.elements, domain.number_of_vertices);
+    const std::int64_t flips = internal::count_flips<Kernel, Tag>(domain, schedule, x);
+    if(flips != 0) {
+      message = "the multilevel start has " + std::to_string(flips) + " flipped elements";
+      return Status::start_not_flip_free;
+    }
+    return Status::success;
+  }
+
+private:
+  Status optimize(const Simplicial_domain<2>& level, const std::vector<std::int32_t>& vertices, Positions<2>& y, Positions<2>& x,
+                  std::string& message)
+  {
+    const Summary summary = Map_minimizer<2, Traits>(level, m_traits).minimize(y);
+    if(!summary.is_valid()) {
+      message = "a simplified surface could not be optimised: " + summary.message;
+      return summary.status;
+    }
+    for(std::size_t v = 0; v < vertices.size(); ++v)
+      x.col(vertices[v]) = y.col(v) * level.scale;
+    return Status::success;
+  }
+
+  // Puts the vertices of one pass back. Those whose ring has no kernel in double precision wait until their neighbours have moved.
+  template <typename Placement>
+  static bool put_back(internal::Progressive_disk& disk, Placement& placement, std::string& message)
+  {
+    std::vector<std::int32_t> pass = disk.take_pass(), waiting;
+    for(int round = 0; round < ROUNDS; ++round) {
+      waiting.clear();
+      for(std::int32_t v : pass) {
+        const std::int32_t w = disk.restore(v);
+        if(placement.enter_kernel(v)) {
+          placement.relax(v, 2);
+        } else {
+          disk.remove(v, w);
+          waiting.push_back(v);
+        }
+      }
+      if(waiting.empty())
+        return true;
+      for(std::int32_t v : waiting)
+        for(std::int32_t u : disk.neighbors_while_removed(v))
+          placement.relax(u, 2);
+      pass.swap(waiting);
+    }
+    message = std::to_string(pass.size()) + " vertices of a simplified surface found no place";
+    return false;
+  }
+
+  static constexpr int ROUNDS = 6; // of trying to place a vertex
+
+  Traits m_traits;
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INITIALIZERS_MULTILEVEL_INITIALIZER_H

@@ -1,0 +1,345 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_PROGRESSIVE_DISK_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_PROGRESSIVE_DISK_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/planar_rest_shape.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// A disk in space that is simplified by half-edge collapses and taken back step by step. Collapses come in passes: the vertices removed
+// in one pass are pairwise not adjacent, so the triangles around one do not contain another, and within a pass they can be put
+// back in any order. Triangles keep their numbers: those that lose an edge sleep, those that lose a vertex get its target instead.
+class Progressive_disk
+{
+public:
+  using Triangle = std::array<std::int32_t, 3>;
+
+  explicit Progressive_disk(const Simplicial_domain<2>& domain)
+    : m_points(domain.rest_points), m_triangles(domain.elements), m_is_awake(domain.elements.size(), 1),
+      m_stars(domain.number_of_vertices), m_next(domain.number_of_vertices, -1), m_previous(domain.number_of_vertices, -1),
+      m_target(domain.number_of_vertices, -1), m_number_of_triangles(domain.number_of_elements()),
+      m_border_size(domain.border.size())
+  {
+    for(std::size_t t = 0; t < m_triangles.size(); ++t)
+      for(std::int32_t v : m_triangles[t])
+        m_stars[v].push_back(static_cast<std::int32_t>(t));
+    for(std::size_t i = 0; i < domain.border.size(); ++i) {
+      const std::int32_t v = domain.border[i], w = domain.border[(i + 1) % domain.border.size()];
+      m_next[v] = w;
+      m_previous[w] = v;
+    }
+  }
+
+  std::int64_t number_of_triangles() const { return m_number_of_triangles; }
+  std::size_t number_of_passes() const { return m_passes.size(); }
+
+  // Triangles around a vertex.
+  const std::vector<std::int32_t>& star(std::int32_t v) const { return m_stars[v]; }
+  const Triangle& triangle(std::int32_t t) const { return m_triangles[t]; }
+  bool is_on_border(std::int32_t v) const { return m_next[v] >= 0; }
+  const Positions<3>& points() const { return m_points; }
+
+  // Collapses until at most `wanted` triangles are left; fewer passes when no more collapse is possible.
+  void coarsen(std::int64_t wanted)
+  {
+    int severity = 0;
+    while(m_number_of_triangles > wanted && severity < SEVERITIES) {
+      const std::int64_t before = m_number_of_triangles;
+      coarsen_once(wanted, LIMITS[severity]);
+      // Thin surfaces stall at strict limits: then shape gives way.
+      if(before - m_number_of_triangles < before / 50 + 1)
+        ++severity;
+    }
+  }
+
+  // The vertices of the last pass, and its removal from the list; each is to be put back with `restore()`.
+  std::vector<std::int32_t> take_pass()
+  {
+    std::vector<std::int32_t> pass = std::move(m_passes.back());
+    m_passes.pop_back();
+    return pass;
+  }
+
+  // Puts a vertex back; the result is the vertex it was collapsed to.
+  std::int32_t restore(std::int32_t v)
+  {
+    const std::int32_t w = m_target[v];
+    m_target[v] = -1;
+    for(std::int32_t t : m_stars[v]) {
+      Triangle& triangle = m_triangles[t];
+      if(!m_is_awake[t]) {
+        m_is_awake[t] = 1;
+        ++m_number_of_triangles;
+        for(std::int32_t u : triangle)
+          if(u != v)
+            m_stars[u].push_back(t);
+      } else {
+        std::replace(triangle.begin(), triangle.end(), w, v);
+        erase(m_stars[w], t);
+      }
+    }
+    if(is_on_border(v)) {
+      ++m_border_size;
+      m_next[m_previous[v]] = v;
+      m_previous[m_next[v]] = v;
+    }
+    return w;
+  }
+
+  // Collapses v to its neighbour w. To be undone by `restore()`.
+  void remove(std::int32_t v, std::int32_t w)
+  {
+    m_target[v] = w;
+    for(std::int32_t t : m_stars[v]) {
+      Triangle& triangle = m_triangles[t];
+      if(std::find(triangle.begin(), triangle.end(), w) != triangle.end()) {
+        m_is_awake[t] = 0;
+        --m_number_of_triangles;
+        for(std::int32_t u : triangle)
+          if(u != v)
+            erase(m_stars[u], t);
+      } else {
+        std::replace(triangle.begin(), triangle.end(), v, w);
+        m_stars[w].push_back(t);
+      }
+    }
+    if(is_on_border(v)) {
+      --m_border_size;
+      m_next[m_previous[v]] = m_next[v];
+      m_previous[m_next[v]] = m_previous[v];
+    }
+  }
+
+  // The neighbours that a removed vertex would have.
+  std::vector<std::int32_t> neighbors_while_removed(std::int32_t v) const
+  {
+    std::vector<std::int32_t> result{m_target[v]};
+    for(std::int32_t t : m_stars[v])
+      for(std::int32_t u : m_triangles[t])
+        if(u != v)
+          result.push_back(u);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // The surface as it is now, scaled to area 1; `vertices` receives the number here of each vertex there.
+  Simplicial_domain<2> domain(std::vector<std::int32_t>& vertices) const
+  {
+    Simplicial_domain<2> result;
+    std::vector<std::int32_t> numbers(m_stars.size(), -1);
+    vertices.clear();
+    double total = 0;
+    for(std::size_t t = 0; t < m_triangles.size(); ++t) {
+      if(!m_is_awake[t])
+        continue;
+      Triangle element;
+      for(int k = 0; k < 3; ++k) {
+        const std::int32_t v = m_triangles[t][k];
+        if(numbers[v] < 0) {
+          numbers[v] = static_cast<std::int32_t>(vertices.size());
+          vertices.push_back(v);
+        }
+        element[k] = numbers[v];
+      }
+      Matrix<2> rest_inverse = Matrix<2>::Zero();
+      double area = 0;
+      planar_rest_shape(m_points.col(m_triangles[t][0]), m_points.col(m_triangles[t][1]), m_points.col(m_triangles[t][2]), rest_inverse,
+                        area);
+      result.elements.push_back(element);
+      result.rest_inverses.push_back(rest_inverse);
+      result.measures.push_back(area);
+      total += area;
+    }
+    const double length = std::sqrt(total);
+    for(auto& rest_inverse : result.rest_inverses)
+      rest_inverse *= length;
+    for(double& measure : result.measures)
+      measure /= total;
+    result.number_of_vertices = static_cast<std::int32_t>(vertices.size());
+    result.scale = length;
+
+    std::int32_t first = 0;
+    while(!is_on_border(first) || m_target[first] >= 0)
+      ++first;
+    std::int32_t v = first;
+    do {
+      result.border.push_back(numbers[v]);
+      result.border_lengths.push_back((m_points.col(m_next[v]) - m_points.col(v)).norm() / length);
+      v = m_next[v];
+    } while(v != first);
+    return result;
+  }
+
+private:
+  // What a collapse may do to the shape.
+  struct Limits
+  {
+    double least_cosine;  // between a triangle's normals before and after
+    double least_quality; // doubled area over squared longest edge, of a triangle after
+  };
+  static constexpr int SEVERITIES = 4;
+  static constexpr Limits LIMITS[SEVERITIES] = {{0.5, 0.2}, {0.2, 0.05}, {-0.5, 0.005}, {-2, 1e-6}};
+  static constexpr std::size_t LARGEST_VALENCE = 24;
+
+  struct Collapse
+  {
+    double cost;
+    std::int32_t v;
+    std::int32_t w;
+    bool operator<(const Collapse& other) const { return cost != other.cost ? cost < other.cost : v < other.v; }
+  };
+
+  static void erase(std::vector<std::int32_t>& list, std::int32_t value)
+  {
+    list.erase(std::find(list.begin(), list.end(), value));
+  }
+
+  void coarsen_once(std::int64_t wanted, const Limits& limits)
+  {
+    std::vector<Collapse> collapses;
+    for(std::size_t v = 0; v < m_stars.size(); ++v) {
+      if(m_target[v] >= 0)
+        continue;
+      const Collapse best = cheapest_collapse(static_cast<std::int32_t>(v), limits);
+      if(best.w >= 0)
+        collapses.push_back(best);
+    }
+    std::sort(collapses.begin(), collapses.end());
+    // The dear quarter waits for a later pass, when cheaper collapses may have become possible instead.
+    if(collapses.size() > 64)
+      collapses.resize(collapses.size() * 3 / 4);
+
+    std::vector<char> is_locked(m_stars.size(), 0);
+    std::vector<std::int32_t> pass;
+    for(const Collapse& collapse : collapses) {
+      if(m_number_of_triangles <= wanted)
+        break;
+      if(is_locked[collapse.v] || !is_possible(collapse.v, collapse.w))
+        continue;
+      for(std::int32_t t : m_stars[collapse.v])
+        for(std::int32_t u : m_triangles[t])
+          is_locked[u] = 1;
+      remove(collapse.v, collapse.w);
+      pass.push_back(collapse.v);
+    }
+    if(!pass.empty())
+      m_passes.push_back(std::move(pass));
+  }
+
+  Collapse cheapest_collapse(std::int32_t v, const Limits& limits)
+  {
+    Collapse best{std::numeric_limits<double>::infinity(), v, -1};
+    for(std::int32_t t : m_stars[v])
+      for(std::int32_t w : m_triangles[t]) {
+        // Inner edges are met twice, which costs less than remembering them.
+        if(w == v || w == best.w)
+          continue;
+        const double cost = collapse_cost(v, w, limits);
+        if(cost < best.cost && is_possible(v, w)) {
+          best.cost = cost;
+          best.w = w;
+        }
+      }
+    return best;
+  }
+
+  // How much the surface changes: squared distances of v to the new triangles, weighted by their areas, and a little of the edge's
+  // length so that flat parts thin out evenly. Infinite beyond the limits.
+  double collapse_cost(std::int32_t v, std::int32_t w, const Limits& limits) const
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Vector<3> p = m_points.col(v), q = m_points.col(w);
+    const double length = (q - p).squaredNorm();
+    double cost = 0, area = 0;
+    for(std::int32_t t : m_stars[v]) {
+      const Triangle& triangle = m_triangles[t];
+      const int k = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
+      const std::int32_t a = triangle[(k + 1) % 3], b = triangle[(k + 2) % 3];
+      if(a == w || b == w)
+        continue;
+      const Vector<3> x = m_points.col(a), y = m_points.col(b);
+      const Vector<3> before = (x - p).cross(y - p), after = (x - q).cross(y - q);
+      const double after_norm = after.norm();
+      const double longest = (std::max)({(x - q).squaredNorm(), (y - q).squaredNorm(), (y - x).squaredNorm()});
+      if(!(after_norm >= limits.least_quality * longest) || !(before.dot(after) >= limits.least_cosine * before.norm() * after_norm))
+        return infinity;
+      const double distance = after.dot(p - x) / after_norm;
+      cost += after_norm * distance * distance;
+      area += after_norm;
+    }
+    if(is_on_border(v) && (w == m_next[v] || w == m_previous[v])) {
+      const std::int32_t u = w == m_next[v] ? m_previous[v] : m_next[v];
+      const Vector<3> side = m_points.col(u) - q, offset = p - q;
+      const double along = side.squaredNorm() > 0 ? offset.dot(side) / side.squaredNorm() : 0;
+      cost += (offset - along * side).squaredNorm() * (side.squaredNorm() + length);
+    }
+    return cost + 1e-3 * length * (area + length);
+  }
+
+  // Whether the surface stays a disk, with three triangles at least around inner vertices.
+  bool is_possible(std::int32_t v, std::int32_t w)
+  {
+    const bool on_border = is_on_border(v);
+    if(on_border && ((w != m_next[v] && w != m_previous[v]) || m_border_size <= 4))
+      return false;
+    if(m_stars[v].size() + m_stars[w].size() > LARGEST_VALENCE)
+      return false;
+    m_marks.resize(m_stars.size(), 0);
+    m_mark += 2;
+    for(std::int32_t t : m_stars[w])
+      for(std::int32_t u : m_triangles[t])
+        m_marks[u] = m_mark;
+    m_marks[v] = m_marks[w] = m_mark - 1;
+    int common = 0;
+    for(std::int32_t t : m_stars[v])
+      for(std::int32_t u : m_triangles[t]) {
+        if(m_marks[u] != m_mark)
+          continue;
+        m_marks[u] = m_mark - 1;
+        ++common;
+        if(m_stars[u].size() < (is_on_border(u) ? 2u : 4u))
+          return false;
+      }
+    return common == (on_border ? 1 : 2);
+  }
+
+  const Positions<3>& m_points;
+  std::vector<Triangle> m_triangles;
+  std::vector<char> m_is_awake;
+  std::vector<std::vector<std::int32_t>> m_stars;
+  std::vector<std::int32_t> m_next;     // along the border, -1 inside; kept for removed vertices
+  std::vector<std::int32_t> m_previous;
+  std::vector<std::int32_t> m_target;   // of removed vertices, -1 for the others
+  std::int64_t m_number_of_triangles;
+  std::size_t m_border_size;
+  std::vector<std::vector<std::int32_t>> m_passes;
+  std::vector<std::int32_t> m_marks;
+  std::int32_t m_mark = 1;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_PROGRESSIVE_DISK_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_VERTEX_PLACEMENT_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_VERTEX_PLACEMENT_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/Progressive_disk.h>
+#include <CGAL/Flip_free_maps/internal/Vertex_relaxation.h>
+#include <CGAL/Flip_free_maps/internal/planar_rest_shape.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Places the vertices of a progressive disk in its planar map: first somewhere in the kernel of the ring of neighbours, then where the
+// energy of the triangles around is least.
+template <typename Kernel, typename Energy>
+class Vertex_placement
+{
+public:
+  Vertex_placement(const Progressive_disk& disk, const Energy& energy, Positions<2>& x) : m_disk(disk), m_x(x), m_relaxation(energy) {}
+
+  // Puts a vertex into the kernel of its ring; false when exact predicates find no positive place.
+  bool enter_kernel(std::int32_t v)
+  {
+    load(v);
+    Vector<2> low = m_corners.front().a, high = low;
+    for(const Corner& corner : m_corners)
+      for(const Vector<2>& p : {corner.a, corner.b}) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+    // The kernel of a border vertex' ring is open to the outside; the rest shape tells how far to look.
+    if(m_disk.is_on_border(v)) {
+      double reach = 0;
+      for(const Corner& corner : m_corners)
+        reach = (std::max)({reach, (m_disk.points().col(corner.number_a) - m_disk.points().col(v)).norm(),
+                            (m_disk.points().col(corner.number_b) - m_disk.points().col(v)).norm()});
+      low.array() -= reach;
+      high.array() += reach;
+    }
+    m_polygon = {low, Vector<2>(high[0], low[1]), high, Vector<2>(low[0], high[1])};
+    for(const Corner& corner : m_corners)
+      clip(corner);
+    if(m_polygon.size() < 3)
+      return false;
+    Vector<2> centre = Vector<2>::Zero();
+    for(const Vector<2>& p : m_polygon)
+      centre += p;
+    centre /= static_cast<double>(m_polygon.size());
+    if(!is_positive(centre))
+      return false;
+    m_x.col(v) = centre;
+    return true;
+  }
+
+  // Up to `steps` Newton steps on the position of a vertex whose triangles are all positive.
+  void relax(std::int32_t v, int steps)
+  {
+    load(v);
+    const Positions<3>& points = m_disk.points();
+    const Vector<2> origin = m_x.col(v);
+    m_relaxation.clear();
+    for(const Corner& corner : m_corners) {
+      Matrix<2> rest_inverse, edges;
+      double area;
+      // A degenerate triangle of a simplified surface has no rest shape to be true to.
+      if(!planar_rest_shape(points.col(v), points.col(corner.number_a), points.col(corner.number_b), rest_inverse, area))
+        return;
+      edges << corner.a - origin, corner.b - origin;
+      m_relaxation.add(edges * rest_inverse, -rest_inverse.colwise().sum().transpose(), area);
+    }
+    Vector<2> u = Vector<2>::Zero();
+    m_relaxation.relax(u, steps, [&](const Vector<2>& displacement) { return is_positive(origin + displacement); });
+    m_x.col(v) = origin + u;
+  }
+
+private:
+  // A triangle (v, a, b).
+  struct Corner
+  {
+    Vector<2> a, b;
+    std::int32_t number_a, number_b;
+  };
+
+  void load(std::int32_t v)
+  {
+    m_corners.clear();
+    for(std::int32_t t : m_disk.star(v)) {
+      const auto& triangle = m_disk.triangle(t);
+      const int k = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
+      const std::int32_t a = triangle[(k + 1) % 3], b = triangle[(k + 2) % 3];
+      m_corners.push_back({m_x.col(a), m_x.col(b), a, b});
+    }
+  }
+
+  bool is_positive(const Vector<2>& p) const
+  {
+    using Point_2 = typename Kernel::Point_2;
+    const Point_2 q(p[0], p[1]);
+    for(const Corner& corner : m_corners)
+      if(typename Kernel::Orientation_2()(q, Point_2(corner.a[0], corner.a[1]), Point_2(corner.b[0], corner.b[1])) != CGAL::POSITIVE)
+        return false;
+    return true;
+  }
+
+  // Keeps the part of the polygon to the left of a -> b (Sutherland and Hodgman 1974).
+  void clip(const Corner& corner)
+  {
+    const Vector<2> side = corner.b - corner.a;
+    const auto height = [&](const Vector<2>& p) { return side[0] * (p[1] - corner.a[1]) - side[1] * (p[0] - corner.a[0]); };
+    m_clipped.clear();
+    for(std::size_t i = 0; i < m_polygon.size(); ++i) {
+      const Vector<2>& p = m_polygon[i];
+      const Vector<2>& q = m_polygon[(i + 1) % m_polygon.size()];
+      const double h_p = height(p), h_q = height(q);
+      if(h_p >= 0)
+        m_clipped.push_back(p);
+      if((h_p > 0 && h_q < 0) || (h_p < 0 && h_q > 0))
+        m_clipped.push_back(p + h_p / (h_p - h_q) * (q - p));
+    }
+    m_polygon.swap(m_clipped);
+  }
+
+  const Progressive_disk& m_disk;
+  Positions<2>& m_x;
+  Vertex_relaxation<2, Energy> m_relaxation;
+  std::vector<Corner> m_corners;
+  std::vector<Vector<2>> m_polygon, m_clipped;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_VERTEX_PLACEMENT_H

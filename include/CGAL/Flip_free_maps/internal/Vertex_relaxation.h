@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_VERTEX_RELAXATION_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_VERTEX_RELAXATION_H
+
+#include <CGAL/Flip_free_maps/Map_options.h>
+#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
+#include <CGAL/Flip_free_maps/line_search/Line_search.h>
+#include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Moves one vertex of a map to where the energy of the elements around it is least, by Newton steps that never flip one. When the
+// vertex moves by u, the Jacobian of an element around it changes by u times the gradient of the vertex' hat function, transposed:
+// it is affine in u, and its determinant too.
+template <int D, typename Energy>
+class Vertex_relaxation
+{
+public:
+  explicit Vertex_relaxation(const Energy& energy) : m_energy(energy) {}
+
+  // Begins with a new vertex.
+  void clear() { m_elements.clear(); }
+
+  // Enters an element around the vertex.
+  void add(const Matrix<D>& jacobian, const Vector<D>& hat, double weight) { m_elements.push_back({jacobian, hat, weight}); }
+
+  // Takes up to `steps` Newton steps from the displacement `u`, at which all elements are positive. `is_positive(u)` has the last word on
+  // each.
+  template <typename IsPositive>
+  void relax(Vector<D>& u, int steps, IsPositive&& is_positive) const
+  {
+    double energy = energy_at(u);
+    for(int step = 0; step < steps && std::isfinite(energy); ++step) {
+      Vector<D> gradient;
+      Matrix<D> hessian;
+      derivatives_at(u, gradient, hessian);
+      hessian.diagonal() *= 1 + 1e-9;
+      const Vector<D> direction = -hessian.inverse() * gradient;
+      const double slope = gradient.dot(direction);
+      if(!(slope < -1e-4 * energy))
+        return;
+      const Line_search_result found = line_search([&](double a) { return energy_at(u + a * direction); }, energy, slope,
+                                                   largest_step(u, direction), false, m_options);
+      const Vector<D> next = u + found.step * direction;
+      if(!found.success || !is_positive(next))
+        return;
+      u = next;
+      energy = found.energy;
+    }
+  }
+
+private:
+  struct Element
+  {
+    Matrix<D> jacobian; // at displacement 0
+    Vector<D> hat;
+    double weight;
+
+    Matrix<D> jacobian_at(const Vector<D>& u) const { return jacobian + u * hat.transpose(); }
+  };
+
+  double energy_at(const Vector<D>& u) const
+  {
+    double sum = 0;
+    for(const Element& element : m_elements) {
+      const Vector<D> s = signed_singular_values(element.jacobian_at(u));
+      if(!(s[D - 1] > 0))
+        return std::numeric_limits<double>::infinity();
+      sum += element.weight * m_energy.template value<D>(s);
+    }
+    return sum;
+  }
+
+  void derivatives_at(const Vector<D>& u, Vector<D>& gradient, Matrix<D>& hessian) const
+  {
+    gradient.setZero();
+    hessian.setZero();
+    for(const Element& element : m_elements) {
+      Signed_svd<D> svd;
+      signed_svd(element.jacobian_at(u), svd);
+      Element_state<D> state;
+      state.s = svd.s;
+      m_energy.template derivatives<D>(state.s, state.gradient, state.hessian);
+      Increment_form<D> form;
+      Projected_newton().form(state, m_energy, form);
+      const Vector<D> hat = svd.V.transpose() * element.hat;
+      gradient += element.weight * (svd.U * state.gradient.cwiseProduct(hat));
+      hessian += element.weight * (svd.U * form.block(hat, hat) * svd.U.transpose());
+    }
+  }
+
+  // det(J + a d g^T) = det J (1 + a g^T J^-1 d)
+  double largest_step(const Vector<D>& u, const Vector<D>& direction) const
+  {
+    double slope = 0;
+    for(const Element& element : m_elements)
+      slope = (std::min)(slope, element.hat.dot(element.jacobian_at(u).inverse() * direction));
+    return slope < 0 ? -1 / slope : std::numeric_limits<double>::infinity();
+  }
+
+  const Energy& m_energy;
+  Map_options m_options;
+  std::vector<Element> m_elements;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_VERTEX_RELAXATION_H

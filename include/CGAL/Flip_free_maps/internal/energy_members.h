@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_ENERGY_MEMBERS_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_ENERGY_MEMBERS_H
+
+#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Whether an energy has the optional member functions.
+template <typename Energy, int D, typename = void>
+struct Has_slim_target : std::false_type {};
+
+template <typename Energy, int D>
+struct Has_slim_target<Energy, D, std::void_t<decltype(std::declval<const Energy&>().template slim_target<D>(
+                                    std::declval<const Vector<D>&>()))>>
+  : std::true_type {};
+
+template <typename Energy, int D, typename = void>
+struct Has_convex_hessian : std::false_type {};
+
+template <typename Energy, int D>
+struct Has_convex_hessian<Energy, D, std::void_t<decltype(std::declval<const Energy&>().template convex_hessian<D>(
+                                       std::declval<const Vector<D>&>(), std::declval<const Matrix<D>&>(),
+                                       std::declval<Matrix<D>&>()))>>
+  : std::true_type {};
+
+template <int D, typename Energy>
+Vector<D> slim_target(const Energy& energy, const Vector<D>& s)
+{
+  if constexpr(Has_slim_target<Energy, D>::value)
+    return energy.template slim_target<D>(s);
+  else
+    return Vector<D>::Ones();
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_ENERGY_MEMBERS_H
