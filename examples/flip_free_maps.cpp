@@ -7,6 +7,15 @@
 
 // The package at work on files: see `flip_free_maps --help`.
 
+#include <CGAL/Flip_free_maps/energies/Amips.h>
+#include <CGAL/Flip_free_maps/energies/Any_energy.h>
+#include <CGAL/Flip_free_maps/energies/Conformal.h>
+#include <CGAL/Flip_free_maps/energies/Exponential_amips.h>
+#include <CGAL/Flip_free_maps/energies/Exponential_symmetric_dirichlet.h>
+#include <CGAL/Flip_free_maps/energies/Hencky.h>
+#include <CGAL/Flip_free_maps/energies/Neo_hookean.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_arap.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/io.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
@@ -141,8 +150,8 @@ void read_triangles(const std::string& path, Triangles& triangles)
 
 struct Arguments
 {
-  std::string input, output, preconditioner = "default", border = "circle", weights = "uniform", criterion = "characteristic",
-                             linear_solver = "default", json, svg, png, trace;
+  std::string input, output, energy = "symmetric-dirichlet", preconditioner = "default", border = "circle", weights = "uniform",
+                             criterion = "characteristic", linear_solver = "default", json, svg, png, trace;
   double tolerance = -1;
   int max_iterations = FFM::Map_options().max_iterations;
   double time_limit = 0;
@@ -190,15 +199,50 @@ private:
   std::ofstream m_trace;
 };
 
-template <typename Traits, typename UVMap>
-FFM::Summary run_with_traits(const Arguments& arguments, const Mesh& mesh, Mesh::Halfedge_index border, UVMap uv)
+// The energies of --energy besides the default, which is compiled in.
+const std::map<std::string, FFM::Any_energy>& other_energies()
 {
-  Traits traits;
+  static const std::map<std::string, FFM::Any_energy> energies{
+    {"exponential-symmetric-dirichlet", FFM::Any_energy(FFM::Exponential_symmetric_dirichlet())},
+    {"symmetric-gradient", FFM::Any_energy(FFM::Symmetric_gradient())},
+    {"symmetric-arap", FFM::Any_energy(FFM::Symmetric_arap())},
+    {"hencky", FFM::Any_energy(FFM::Hencky())},
+    {"conformal", FFM::Any_energy(FFM::Conformal())},
+    {"amips", FFM::Any_energy(FFM::Amips())},
+    {"exponential-amips", FFM::Any_energy(FFM::Exponential_amips())},
+    {"neo-hookean", FFM::Any_energy(FFM::Neo_hookean())}};
+  return energies;
+}
+
+// What the other energies are not compiled for; empty if the combination exists.
+std::string why_not_available(const Arguments& arguments)
+{
+  if(other_energies().count(arguments.energy) == 0)
+    return "";
+  if(arguments.preconditioner == "laplacian" || arguments.preconditioner == "cm")
+    return "--preconditioner " + arguments.preconditioner + " is available with --energy symmetric-dirichlet only, not with " +
+           arguments.energy + "; choose default, newton, slim or killing";
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+  if(arguments.linear_solver == "eigen")
+    return "--linear-solver eigen is available with --energy symmetric-dirichlet only, not with " + arguments.energy;
+#endif
+  return "";
+}
+
+template <typename Traits, typename UVMap>
+FFM::Summary run_with_traits(const Arguments& arguments, const Mesh& mesh, Mesh::Halfedge_index border, UVMap uv,
+                             Traits traits = Traits())
+{
   traits.start.border = arguments.border == "square" ? FFM::Border_shape::square : FFM::Border_shape::circle;
   traits.start.weights = arguments.weights == "mean-value"  ? FFM::Tutte_weights::mean_value
                          : arguments.weights == "cotangent" ? FFM::Tutte_weights::cotangent
                                                             : FFM::Tutte_weights::uniform;
   traits.start.place_flaps = arguments.place_flaps;
+  // The papers' methods begin with a Tutte embedding.
+  if(arguments.start == "tutte" || (arguments.start == "auto" && arguments.preconditioner != "default"))
+    traits.start.multilevel_size = -1;
+  else if(arguments.start == "multilevel")
+    traits.start.multilevel_size = 0;
   FFM::Map_options& options = traits.options;
   options.max_iterations = arguments.max_iterations;
   if(arguments.time_limit > 0)
@@ -238,6 +282,27 @@ FFM::Summary run_with_solver(const Arguments& arguments, const Mesh& mesh, Mesh:
   if(arguments.preconditioner == "newton")
     return plain(FFM::Projected_newton());
   return run_with_traits<FFM::Flip_free_map_traits<D, D, D, D, LinearSolver>>(arguments, mesh, border, uv);
+}
+
+template <typename UVMap>
+FFM::Summary run_with_other_energy(const Arguments& arguments, const Mesh& mesh, Mesh::Halfedge_index border, UVMap uv)
+{
+  using D = CGAL::Default;
+  const FFM::Any_energy& energy = other_energies().at(arguments.energy);
+  const auto run = [&](auto traits) {
+    traits.energy = energy;
+    return run_with_traits(arguments, mesh, border, uv, traits);
+  };
+  const auto plain = [&](auto preconditioner) {
+    return run(FFM::Flip_free_map_traits<D, FFM::Any_energy, decltype(preconditioner), D, D, FFM::No_acceleration,
+                                         FFM::Every_iteration>());
+  };
+  FFM::Summary summary = arguments.preconditioner == "newton"    ? plain(FFM::Projected_newton())
+                         : arguments.preconditioner == "slim"    ? plain(FFM::Slim())
+                         : arguments.preconditioner == "killing" ? plain(FFM::Killing())
+                                                                 : run(FFM::Flip_free_map_traits<D, FFM::Any_energy>());
+  summary.energy_name = energy.energy_name();
+  return summary;
 }
 
 FFM::Textured_mesh textured(const Triangles& triangles, const Mesh::Property_map<Vertex, Kernel::Point_2>& uv, bool unit_square)
@@ -295,7 +360,8 @@ void write_pictures(const Arguments& arguments, const FFM::Textured_mesh& layout
 {
   FFM::Layout_picture_options options;
   char title[200];
-  std::snprintf(title, sizeof title, "%s   energy %.6f", arguments.input.substr(arguments.input.rfind('/') + 1).c_str(), summary.energy);
+  std::snprintf(title, sizeof title, "%s   %s %.6f", arguments.input.substr(arguments.input.rfind('/') + 1).c_str(),
+                other_energies().count(arguments.energy) == 0 ? "energy" : summary.energy_name.c_str(), summary.energy);
   options.title = title;
   options.width = arguments.picture_width;
   options.distortion_label = "symmetric Dirichlet energy";
@@ -325,6 +391,9 @@ int run_parameterize(const Arguments& arguments)
     if(arguments.threads > 0)
       control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, arguments.threads);
 #endif
+    if(other_energies().count(arguments.energy) != 0)
+      summary = run_with_other_energy(arguments, mesh, border, uv);
+    else
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
     if(arguments.linear_solver != "eigen")
       summary = run_with_solver<FFM::Cholmod_solver>(arguments, mesh, border, uv);
@@ -414,10 +483,24 @@ int main(int argc, char** argv)
   flatten->add_option("input", arguments.input, "mesh: OFF, OBJ, PLY or STL")->required();
   flatten->add_option("-o,--output", arguments.output, "OBJ with texture coordinates, in the units of the surface");
   flatten->add_flag("--unit-square", arguments.unit_square, "scale the texture coordinates into the unit square");
+  std::vector<std::string> energies{"symmetric-dirichlet"};
+  for(const auto& energy : other_energies())
+    energies.push_back(energy.first);
+  flatten
+    ->add_option("--energy", arguments.energy,
+                 "what is minimised; those other than symmetric-dirichlet with the preconditioners default, newton, slim and killing")
+    ->check(CLI::IsMember(energies))
+    ->capture_default_str();
   flatten
     ->add_option("--preconditioner", arguments.preconditioner,
                  "method; 'default' is SLIM's proxy on badly distorted elements, Newton's elsewhere, with L-BFGS")
     ->check(CLI::IsMember({"default", "laplacian", "killing", "slim", "cm", "newton"}))
+    ->capture_default_str();
+  flatten
+    ->add_option("--start", arguments.start,
+                 "Tutte embedding, or from coarse to fine; 'auto' is from coarse to fine for the default method on large meshes, and either "
+                 "where the other fails")
+    ->check(CLI::IsMember({"auto", "tutte", "multilevel"}))
     ->capture_default_str();
   flatten->add_option("--border", arguments.border, "border of the start")->check(CLI::IsMember({"circle", "square"}))->capture_default_str();
   flatten->add_option("--weights", arguments.weights, "weights of the start")
@@ -458,5 +541,12 @@ int main(int argc, char** argv)
   } catch(const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return *flatten ? run_parameterize(arguments) : run_measure(measured, measured_json);
+  if(!*flatten)
+    return run_measure(measured, measured_json);
+  const std::string reason = why_not_available(arguments);
+  if(!reason.empty()) {
+    std::cerr << "flip_free_maps: " << reason << '\n';
+    return 2;
+  }
+  return run_parameterize(arguments);
 }

@@ -9,12 +9,12 @@
 
 #include "bumpy_surface.h"
 
+#include <CGAL/Flip_free_maps/check_derivatives.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
@@ -43,26 +43,6 @@ struct Stretch_and_shrink
 };
 //! [energy]
 
-// Compares the derivatives with central differences, whose error is of the order h^2 for the step h.
-template <typename Energy>
-bool are_derivatives_right(const Energy& energy, const Eigen::Vector2d& s)
-{
-  const double h = 1e-5;
-  Eigen::Vector2d gradient, above, below;
-  Eigen::Matrix2d hessian, unused;
-  energy.template derivatives<2>(s, gradient, hessian);
-  for(int i = 0; i < 2; ++i)
-  {
-    const Eigen::Vector2d step = h * Eigen::Vector2d::Unit(i);
-    energy.template derivatives<2>(s + step, above, unused);
-    energy.template derivatives<2>(s - step, below, unused);
-    const double slope = (energy.template value<2>(s + step) - energy.template value<2>(s - step)) / (2 * h);
-    if(std::abs(gradient[i] - slope) > 1e-7 || ((above - below) / (2 * h) - hessian.col(i)).norm() > 1e-7)
-      return false;
-  }
-  return true;
-}
-
 int main()
 {
   typedef CGAL::Simple_cartesian<double>      Kernel;
@@ -74,5 +54,10 @@ int main()
   const FFM::Flip_free_map_traits<CGAL::Default, Stretch_and_shrink> traits;
   const FFM::Summary summary = FFM::parameterize(mesh, border_halfedge, uv, traits);
   std::cout << summary;
-  return are_derivatives_right(traits.energy, {1.7, 0.6}) && summary.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;
+
+  //! [check]
+  const FFM::Derivative_report report = FFM::check_derivatives<2>(traits.energy, {1.7, 0.6});
+  const bool are_derivatives_right = report.gradient_error < 1e-7 && report.hessian_error < 1e-7;
+  //! [check]
+  return are_derivatives_right && summary.is_valid() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -16,6 +16,12 @@ concave function of the singular values, which composite majorization needs.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_free_maps::Symmetric_dirichlet}
+\cgalHasModels{CGAL::Flip_free_maps::Exponential_symmetric_dirichlet}
+\cgalHasModels{CGAL::Flip_free_maps::Symmetric_gradient}
+\cgalHasModels{CGAL::Flip_free_maps::Symmetric_arap}
+\cgalHasModels{CGAL::Flip_free_maps::Arap}
+\cgalHasModels{CGAL::Flip_free_maps::Hencky}
+\cgalHasModels{CGAL::Flip_free_maps::Aigerman_isometric}
 \cgalHasModelsEnd
 
 \sa `CGAL::Flip_free_maps::ConvexConcaveEnergyConcept`

@@ -21,13 +21,28 @@ The functions are templates in the dimension `D`, the number of singular values,
 An energy that exists in one dimension only may define them for that dimension alone. They are called from several threads at
 once and must not change the object.
 
+A further member function is optional: `slim_target()`, see `CGAL::Flip_free_maps::Slim`.
+
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_free_maps::Symmetric_dirichlet}
+\cgalHasModels{CGAL::Flip_free_maps::Exponential_symmetric_dirichlet}
+\cgalHasModels{CGAL::Flip_free_maps::Symmetric_gradient}
+\cgalHasModels{CGAL::Flip_free_maps::Symmetric_arap}
+\cgalHasModels{CGAL::Flip_free_maps::Arap}
+\cgalHasModels{CGAL::Flip_free_maps::Hencky}
+\cgalHasModels{CGAL::Flip_free_maps::Conformal}
+\cgalHasModels{CGAL::Flip_free_maps::Amips}
+\cgalHasModels{CGAL::Flip_free_maps::Exponential_amips}
+\cgalHasModels{CGAL::Flip_free_maps::Neo_hookean}
+\cgalHasModels{CGAL::Flip_free_maps::Aigerman_isometric}
+\cgalHasModels{CGAL::Flip_free_maps::Weighted_sum}
+\cgalHasModels{CGAL::Flip_free_maps::Any_energy}
 \cgalHasModelsEnd
 
 \sa `CGAL::Flip_free_maps::DistortionEnergyConcept`
+\sa `CGAL::Flip_free_maps::check_derivatives()`
 \sa `Preconditioner`
 */
 class DistortionEnergy

@@ -461,7 +461,7 @@ BOOST_FIXTURE_TEST_CASE(linear_solvers_that_fail, Fixture)
   Traits_with<Failing_solver> traits;
   traits.start.fall_back = false;
   check_failure(h, Status::start_not_flip_free, traits);
-  check_failure(h, Status::line_search_failed, Traits_with<Unsolving_solver>());
+  check_failure(h, Status::linear_solver_failed, Traits_with<Unsolving_solver>());
   check_failure(h, Status::out_of_memory, Traits_with<Greedy_solver>());
 }
 

@@ -229,6 +229,9 @@ inline FFM::Simplicial_domain<2> make_domain(const Surface& surface)
       ++halfedges[{t[k], t[(k + 1) % 3]}];
   }
   auto domain = scaled_domain<2>(static_cast<std::int32_t>(surface.points.size()), surface.triangles, rest_edges);
+  domain.rest_points.resize(3, surface.points.size());
+  for(std::size_t v = 0; v < surface.points.size(); ++v)
+    domain.rest_points.col(v) = surface.points[v] / domain.scale;
   for(const auto& h : halfedges)
     if(halfedges.count({h.first.second, h.first.first}) == 0)
       next[h.first.first] = h.first.second;

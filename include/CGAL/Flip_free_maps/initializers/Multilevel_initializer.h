@@ -48,7 +48,6 @@ public:
   explicit Multilevel_initializer(const Traits& traits) : m_traits(traits)
   {
     m_traits.options.observer = nullptr;
-    m_traits.options.relative_energy_tolerance = m_traits.start.level_tolerance;
     m_traits.options.characteristic_gradient_tolerance = 0;
     m_traits.options.gradient_tolerance = 0;
     m_traits.options.stagnation_iterations = 5;
@@ -72,6 +71,7 @@ public:
 
     // Where even the simplified surface has no flip-free embedding in double precision, simpler ones are tried.
     std::string start_name;
+    bool is_thin = false;
     for(std::int64_t wanted = m_traits.start.coarsest_size;; wanted /= 4) {
       disk.coarsen(wanted);
       std::vector<std::int32_t> vertices;
@@ -88,16 +88,25 @@ public:
       }
       if(wanted < 12)
         return Status::start_not_flip_free;
+      is_thin = true;
     }
     std::int64_t optimized = disk.number_of_triangles();
     name = "multilevel (" + std::to_string(optimized) + " faces by " + start_name;
     const std::size_t passes = disk.number_of_passes();
     int levels = 1;
+    // On long thin tubes the sizes of triangles differ by many orders of magnitude until distances along the tube are right; the vertices are
+    // moved into place one by one before all together, and more often.
+    const double level_ratio = is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
     while(disk.number_of_passes() > 0) {
       if(!put_back(disk, placement, message))
         return Status::start_not_flip_free;
-      if(disk.number_of_passes() > 0 && disk.number_of_triangles() >= m_traits.start.level_ratio * optimized &&
-         m_traits.start.level_ratio * disk.number_of_triangles() <= 1.5 * domain.number_of_elements()) {
+      if(is_thin)
+        for(int sweep = 0; sweep < SWEEPS; ++sweep)
+          for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
+            if(disk.is_awake(v))
+              placement.relax(v, 1);
+      if(disk.number_of_passes() > 0 && disk.number_of_triangles() >= level_ratio * optimized &&
+         level_ratio * disk.number_of_triangles() <= 1.5 * domain.number_of_elements()) {
         std::vector<std::int32_t> vertices;
         const Simplicial_domain<2> level = disk.domain(vertices);
         Positions<2> y(2, vertices.size());
@@ -126,6 +135,8 @@ private:
   Status optimize(const Simplicial_domain<2>& level, const std::vector<std::int32_t>& vertices, Positions<2>& y, Positions<2>& x,
                   std::string& message)
   {
+    // Errors of coarse levels are expensive to repair on finer ones, where they are errors of long waves.
+    m_traits.options.relative_energy_tolerance = m_traits.start.level_tolerance * (std::min)(1., level.number_of_elements() / 2e4);
     const Summary summary = Map_minimizer<2, Traits>(level, m_traits).minimize(y);
     if(!summary.is_valid()) {
       message = "a simplified surface could not be optimised: " + summary.message;
@@ -164,6 +175,7 @@ private:
   }
 
   static constexpr int ROUNDS = 6; // of trying to place a vertex
+  static constexpr int SWEEPS = 5; // over all vertices of a thin surface, after each pass
 
   Traits m_traits;
 };

@@ -56,6 +56,7 @@ public:
   // Triangles around a vertex.
   const std::vector<std::int32_t>& star(std::int32_t v) const { return m_stars[v]; }
   const Triangle& triangle(std::int32_t t) const { return m_triangles[t]; }
+  bool is_awake(std::int32_t v) const { return m_target[v] < 0; }
   bool is_on_border(std::int32_t v) const { return m_next[v] >= 0; }
   const Positions<3>& points() const { return m_points; }
 

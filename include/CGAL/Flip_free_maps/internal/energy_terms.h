@@ -65,7 +65,8 @@ void exponentiate_derivatives(double factor, double value, Vector<D>& gradient, 
   const double t = factor * value;
   const double second = std::exp((std::min)(t, EXPONENT));
   const double first = second * (1 + (std::min)((std::max)(t - EXPONENT, 0.), LARGEST_RATIO));
-  hessian = first * factor * hessian + second * factor * factor * (gradient * gradient.transpose());
+  const Matrix<D> product = gradient * gradient.transpose();
+  hessian = first * factor * hessian + second * factor * factor * product;
   gradient *= first * factor;
 }
 

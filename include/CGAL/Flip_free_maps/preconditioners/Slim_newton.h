@@ -17,11 +17,11 @@ namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// `Slim` on elements whose symmetric Dirichlet energy exceeds `threshold` times that of an isometry, `Projected_newton` on the
-/// others. That energy chooses whatever energy is minimised, since it measures shapes and others have other scales. The second
-/// differential of a thin, badly distorted element describes it only nearby: directions that trust it are throttled by that one element
-/// for many iterations, while SLIM's proxy leads it to a rotation at once. Near the optimum, where second differentials are right,
-/// no element exceeds the threshold. The choice by element and its threshold are this package's own; thresholds from 8 to 30 serve equally
-/// well.
+/// others. That energy chooses whatever energy is minimised: it measures the shape, and other energies have other scales. The
+/// second differential of a thin, badly distorted element describes it only nearby: directions that trust it are throttled by
+/// that one element for many iterations, while SLIM's proxy leads it to a rotation at once. Near the optimum, where second
+/// differentials are right, no element exceeds the threshold. The choice by element and its threshold are this package's own;
+/// thresholds from 8 to 30 serve equally well for the symmetric Dirichlet energy.
 ///
 /// \cgalModels{Preconditioner}
 struct Slim_newton

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// Preconditioners and all energies: matrices are positive semidefinite, SLIM's weights are positive and reproduce the gradient.
+
+#define BOOST_TEST_MODULE preconditioners_of_energies
+#include <boost/test/included/unit_test.hpp>
+
+#include "support/all_energies.h"
+#include "support/full_matrix.h"
+#include "support/generated_domains.h"
+
+#include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
+#include <CGAL/Flip_free_maps/preconditioners/Killing.h>
+#include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
+#include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
+#include <CGAL/Flip_free_maps/preconditioners/Slim.h>
+#include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace FFM = CGAL::Flip_free_maps;
+using namespace test_support;
+
+namespace {
+
+template <int D>
+using Vector = Eigen::Matrix<double, D, 1>;
+
+template <int D>
+std::vector<Vector<D>> samples(double range)
+{
+  Random random(21);
+  std::vector<Vector<D>> result{Vector<D>::Ones(), Vector<D>::Constant(0.4), Vector<D>::Constant(2.5)};
+  for(int k = 0; k < 100; ++k) {
+    Vector<D> s;
+    for(int i = 0; i < D; ++i)
+      s[i] = std::exp(random(-range, range));
+    // Some nearly equal ones.
+    if(k % 4 == 0)
+      s[1] = s[0] * (1 - std::pow(10, -1 - k / 7.));
+    std::sort(s.data(), s.data() + D, [](double a, double b) { return a > b; });
+    result.push_back(s);
+  }
+  return result;
+}
+
+template <int D>
+void check_matrix(const Full_matrix<D>& full)
+{
+  BOOST_TEST(full.allFinite());
+  BOOST_TEST((full - full.transpose()).norm() <= 1e-14 * full.norm());
+  BOOST_TEST(relative_smallest_eigenvalue(full) >= -1e-14);
+  BOOST_TEST(full.norm() > 0);
+}
+
+template <int D, typename Energy, typename Preconditioner>
+void check_positive_semidefinite(const Energy& energy, const Preconditioner& preconditioner)
+{
+  for(const Vector<D>& s : samples<D>(5))
+    check_matrix<D>(frame_matrix<D>(preconditioner, energy, s));
+}
+
+template <int D, typename Energy>
+void check_all(const Energy& energy)
+{
+  check_positive_semidefinite<D>(energy, FFM::Projected_newton());
+  check_positive_semidefinite<D>(energy, FFM::Slim());
+  check_positive_semidefinite<D>(energy, FFM::Slim_newton());
+  check_positive_semidefinite<D>(energy, FFM::Killing());
+  check_positive_semidefinite<D>(energy, FFM::Laplacian());
+}
+
+// 2 W^T W (J - U diag(t) V^T) = dpsi/dJ, in the frame of the singular vectors.
+template <int D, typename Energy>
+void check_slim(const Energy& energy)
+{
+  const double smallest = 1e-6 * FFM::internal::curvature_at_identity<D>(energy);
+  int compared = 0;
+  for(const Vector<D>& s : samples<D>(2)) {
+    const FFM::Element_state<D> state = state_at<D>(s, energy);
+    FFM::Increment_form<D> form;
+    FFM::Slim().form(state, energy, form);
+    const Vector<D> target = FFM::internal::slim_target<D>(energy, s);
+    for(int i = 0; i < D; ++i) {
+      const double weight = form.stretch(i, i);
+      BOOST_TEST(weight >= smallest);
+      if(weight == smallest || std::abs(s[i] - target[i]) < 1e-6 * target[i])
+        continue;
+      BOOST_TEST(std::abs(weight * (s[i] - target[i]) - state.gradient[i]) <= 1e-12 * std::abs(state.gradient[i]));
+      ++compared;
+    }
+  }
+  BOOST_TEST(compared > 100);
+}
+
+template <typename Energy>
+void check_majorization()
+{
+  check_positive_semidefinite<2>(Energy(), FFM::Composite_majorization<true>());
+  check_positive_semidefinite<2>(Energy(), FFM::Composite_majorization<false>());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(all_are_positive_semidefinite)
+{
+  for(const FFM::Any_energy& energy : energies_with_barrier()) {
+    BOOST_TEST_CONTEXT(energy.energy_name())
+    {
+      check_all<2>(energy);
+      check_all<3>(energy);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(slim_reproduces_the_gradient)
+{
+  for(const FFM::Any_energy& energy : energies_with_barrier()) {
+    BOOST_TEST_CONTEXT(energy.energy_name())
+    {
+      check_slim<2>(energy);
+      check_slim<3>(energy);
+    }
+  }
+  check_slim<2>(FFM::Arap());
+  check_slim<3>(FFM::Arap());
+}
+
+BOOST_AUTO_TEST_CASE(majorizations_are_positive_semidefinite)
+{
+  check_majorization<FFM::Exponential_symmetric_dirichlet>();
+  check_majorization<FFM::Symmetric_gradient>();
+  check_majorization<FFM::Symmetric_arap>();
+  check_majorization<FFM::Arap>();
+  check_majorization<FFM::Hencky>();
+  check_majorization<FFM::Aigerman_isometric>();
+}
+
+// The default preconditioner chooses by shape, whatever the energy's value at the identity.
+BOOST_AUTO_TEST_CASE(slim_newton_chooses_by_shape)
+{
+  for(const FFM::Any_energy& energy : energies_with_barrier()) {
+    BOOST_TEST_CONTEXT(energy.energy_name())
+    {
+      const Vector<2> good(1.5, 0.7), bad(2, 0.1);
+      BOOST_TEST((frame_matrix<2>(FFM::Slim_newton(), energy, good) -
+                  frame_matrix<2>(FFM::Projected_newton(), energy, good)).norm() == 0);
+      BOOST_TEST((frame_matrix<2>(FFM::Slim_newton(), energy, bad) - frame_matrix<2>(FFM::Slim(), energy, bad)).norm() == 0);
+    }
+  }
+}
