@@ -151,7 +151,7 @@ void read_triangles(const std::string& path, Triangles& triangles)
 struct Arguments
 {
   std::string input, output, energy = "symmetric-dirichlet", preconditioner = "default", border = "circle", weights = "uniform",
-                             criterion = "characteristic", linear_solver = "default", json, svg, png, trace;
+                             criterion = "auto", linear_solver = "default", json, svg, png, trace;
   double tolerance = -1;
   int max_iterations = FFM::Map_options().max_iterations;
   double time_limit = 0;
@@ -249,7 +249,8 @@ FFM::Summary run_with_traits(const Arguments& arguments, const Mesh& mesh, Mesh:
     options.max_seconds = arguments.time_limit;
   const double default_tolerance = options.characteristic_gradient_tolerance;
   options.characteristic_gradient_tolerance = 0;
-  if(arguments.criterion == "energy")
+  // Where the gradient jumps at the optimum it tells nothing.
+  if(arguments.criterion == "energy" || (arguments.criterion == "auto" && arguments.energy == "symmetric-arap"))
     options.relative_energy_tolerance = arguments.tolerance >= 0 ? arguments.tolerance : 1e-6;
   else if(arguments.criterion == "gradient")
     options.gradient_tolerance = arguments.tolerance >= 0 ? arguments.tolerance : 1e-3;
@@ -510,8 +511,8 @@ int main(int argc, char** argv)
   flatten
     ->add_option("--criterion", arguments.criterion,
                  "stopping rule that --tolerance is for: characteristic norm of the gradient (default tolerance 1e-5), norm of the "
-                 "gradient (1e-3), relative change of the energy (1e-6)")
-    ->check(CLI::IsMember({"characteristic", "gradient", "energy"}))
+                 "gradient (1e-3), relative change of the energy (1e-6); 'auto' is the first, for symmetric-arap the last")
+    ->check(CLI::IsMember({"auto", "characteristic", "gradient", "energy"}))
     ->capture_default_str();
   flatten->add_option("--tolerance", arguments.tolerance, "see --criterion")->check(CLI::NonNegativeNumber);
   flatten->add_option("--max-iterations", arguments.max_iterations)->check(CLI::NonNegativeNumber)->capture_default_str();

@@ -91,6 +91,9 @@ void check_finite_differences(const Energy& energy, const Facts& facts)
   Random random(1);
   for(int k = 0; k < 200; ++k) {
     const Vector<D> s = random_singular_values<D>(random, facts.range);
+    // Differences must not reach across the kinks of the symmetric ARAP energy.
+    if((s.template tail<D - 1>().array() > 0.999 * s.template head<D - 1>().array()).any())
+      continue;
     const FFM::Derivative_report report = FFM::check_derivatives<D>(energy, s);
     BOOST_TEST(report.gradient_error <= 1e-6);
     BOOST_TEST(report.hessian_error <= 1e-6);

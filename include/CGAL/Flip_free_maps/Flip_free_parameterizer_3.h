@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/Summary.h>
 #include <CGAL/Flip_free_maps/internal/flatten.h>
+#include <CGAL/Flip_free_maps/internal/make_start.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Sparse_linear_algebra_solver.h>
 
 #include <CGAL/Default.h>
@@ -111,7 +112,8 @@ Traits_with_solver<Traits, SparseLinearAlgebraTraits> with_solver(const Traits& 
 /// \tparam TriangleMesh_ must be a model of `FaceListGraph` whose descriptors are `Hashable`
 /// \tparam BorderParameterizer_ must be a model of CGAL's concept `Parameterizer_3` for borders, such as
 ///   `CGAL::Surface_mesh_parameterization::Square_border_arc_length_parameterizer_3`.
-///   <b>Default:</b> \code CGAL::Surface_mesh_parameterization::Circular_border_arc_length_parameterizer_3<TriangleMesh_> \endcode
+///   <b>Default:</b> the start that the map traits ask for, from coarse to fine on large meshes; the type `Border_parameterizer` is then
+///   \code CGAL::Surface_mesh_parameterization::Circular_border_arc_length_parameterizer_3<TriangleMesh_> \endcode
 /// \tparam SolverTraits_ must be a model of CGAL's concept `SparseLinearAlgebraTraits_d`, and then solves all linear systems but those of
 ///   mean-value starts. <b>Default:</b> the linear solver of `MapTraits_`, which is faster
 /// \tparam MapTraits_ must be a model of `MapTraits`. <b>Default:</b> \code Flip_free_map_traits<> \endcode
@@ -188,6 +190,8 @@ public:
     const auto start = [&](const Simplicial_domain<2>& domain, const std::vector<vertex_descriptor>& vertices, Positions<2>& x,
                            std::string& name, std::string& message) {
       written = vertices;
+      if constexpr(std::is_same<BorderParameterizer_, CGAL::Default>::value)
+        return internal::make_start(domain, traits, x, name, message);
       const Tutte_initializer<typename Traits::Kernel, typename Traits::Linear_solver, typename Traits::Concurrency_tag> tutte(
         traits.start);
       const auto make_solver = [&traits] { return traits.make_linear_solver(); };
@@ -202,7 +206,7 @@ public:
         message = "no start without flipped elements was found; tried: " + failed;
         return Status::start_not_flip_free;
       }
-      const Status status = tutte(domain, make_solver, x, name, message);
+      const Status status = internal::make_start(domain, traits, x, name, message);
       name += "; " + failed;
       message += "; " + failed;
       return status;

@@ -20,8 +20,8 @@ namespace Flip_free_maps {
 /// D = 2), for D = 3 with the same formula, in which the middle singular value does not occur. Its minimum is 0, at isometries.
 ///
 /// Where the largest and the smallest singular value coincide and are not 1, psi has a kink, the one of a convex function, and
-/// derivatives are those of one side. Minima tend to have elements there, on which a minimizer slows down: runs may end by
-/// the line search instead of by a small gradient.
+/// derivatives are those of one side. Minima tend to have elements there, where the gradient does not become small: stop by
+/// `Map_options::relative_energy_tolerance`, since otherwise a run may end with `Status::line_search_failed`.
 ///
 /// \cgalModels{ConvexConcaveEnergy}
 struct Symmetric_arap
