@@ -150,7 +150,7 @@ void read_triangles(const std::string& path, Triangles& triangles)
 
 struct Arguments
 {
-  std::string input, output, energy = "symmetric-dirichlet", preconditioner = "default", border = "circle", weights = "uniform",
+  std::string input, output, energy = "symmetric-dirichlet", preconditioner = "default", start = "auto", border = "circle", weights = "uniform",
                              criterion = "auto", linear_solver = "default", json, svg, png, trace;
   double tolerance = -1;
   int max_iterations = FFM::Map_options().max_iterations;
@@ -188,10 +188,12 @@ public:
     return true;
   }
 
-  void end_line() const
+  void finish()
   {
     if(!m_quiet)
       std::fputc('\n', stderr);
+    if(m_trace.is_open() && !m_trace.flush())
+      throw Failure{Status::file_error, "cannot write the trace"};
   }
 
 private:
@@ -260,7 +262,7 @@ FFM::Summary run_with_traits(const Arguments& arguments, const Mesh& mesh, Mesh:
   const auto reporter = std::make_shared<Reporter>(arguments);
   options.observer = [reporter](const FFM::Iteration_report& report) { return (*reporter)(report); };
   const FFM::Summary summary = FFM::parameterize(mesh, border, uv, traits);
-  reporter->end_line();
+  reporter->finish();
   return summary;
 }
 

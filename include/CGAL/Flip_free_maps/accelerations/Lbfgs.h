@@ -24,8 +24,11 @@ namespace Flip_free_maps {
 class Lbfgs
 {
 public:
-  /// Keeps the last `memory` pairs of steps and changes of the gradient.
-  explicit Lbfgs(int memory = 8) : m_memory(memory) {}
+  /// Keeps the last 8 pairs of steps and changes of the gradient.
+  Lbfgs() = default;
+
+  /// Keeps the last `memory` pairs.
+  explicit Lbfgs(int memory) : m_memory(memory) {}
 
   /// "lbfgs"
   static const char* name() { return "lbfgs"; }
@@ -78,7 +81,7 @@ private:
     double rho;
   };
 
-  int m_memory;
+  int m_memory = 8;
   std::deque<Pair> m_pairs;
   Eigen::VectorXd m_x;
   Eigen::VectorXd m_gradient;
