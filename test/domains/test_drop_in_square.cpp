@@ -118,7 +118,7 @@ BOOST_FIXTURE_TEST_CASE(corners_are_chosen, Fixture)
 BOOST_FIXTURE_TEST_CASE(default_template_arguments, Fixture)
 {
   check(FFM::Flip_free_parameterizer_3<PolyMesh>(&summary));
-  BOOST_TEST(start_has("given border"));
+  BOOST_TEST(start_has("tutte (circle"));
   check(FFM::Flip_free_parameterizer_3<PolyMesh, CGAL::Default, CGAL::Default, CGAL::Default>(&summary));
 }
 

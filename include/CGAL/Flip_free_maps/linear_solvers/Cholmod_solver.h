@@ -47,6 +47,8 @@ public:
     cholmod_l_start(&m_common);
     m_common.print = 0;
     m_common.quick_return_if_not_posdef = 1;
+    // An LDL^T factorization, the other choice of the simplicial kernel, would accept indefinite matrices.
+    m_common.final_ll = 1;
     m_common.error_handler = nullptr;
   }
 
