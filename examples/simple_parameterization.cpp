@@ -13,10 +13,10 @@
 
 #include <CGAL/Flip_free_maps/parameterize.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -31,7 +31,8 @@ int main(int argc, char* argv[])
   Mesh mesh;
   if(argc == 1)
     make_bumpy_surface(mesh);
-  else if(!PMP::IO::read_polygon_mesh(argv[1], mesh))
+  // Not the reader of Polygon_mesh_processing: it would sew up the cuts of a surface that was cut open.
+  else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh))
   {
     std::cerr << "Cannot read " << argv[1] << std::endl;
     return EXIT_FAILURE;
