@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_CONSTRAINTS_POSITION_CONSTRAINTS_H
+#define CGAL_FLIP_FREE_MAPS_CONSTRAINTS_POSITION_CONSTRAINTS_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsConstraints
+/// Pulls one vertex towards a place: adds `weight` |x_v - target|^2 to the mean energy. Lengths are in the domain's units, in which
+/// the total measure is 1, so a weight means the same on every mesh.
+template <int D>
+struct Soft_position
+{
+  std::int32_t vertex;        ///< number of the vertex
+  internal::Vector<D> target; ///< where it is pulled to
+  double weight;              ///< how strongly, not negative
+};
+
+/// \ingroup PkgFlipFreeMapsConstraints
+/// What is asked of the positions of single vertices.
+template <int D>
+struct Position_constraints
+{
+  /// Vertices that keep the positions that they have in the start, exactly: they are no unknowns. Duplicates do no harm.
+  std::vector<std::int32_t> fixed_vertices;
+  /// Vertices that are pulled to places.
+  std::vector<Soft_position<D>> soft_positions;
+
+  /// Whether nothing is asked.
+  bool empty() const { return fixed_vertices.empty() && soft_positions.empty(); }
+
+  /// Checks the vertices' numbers, targets and weights; when one is off, says which in `*message` (if given) and returns `false`.
+  bool is_valid(std::int32_t number_of_vertices, std::string* message = nullptr) const
+  {
+    const auto fail = [message](const std::string& text) {
+      if(message != nullptr)
+        *message = text;
+      return false;
+    };
+    for(std::int32_t v : fixed_vertices)
+      if(v < 0 || v >= number_of_vertices)
+        return fail("a fixed vertex has the number " + std::to_string(v) + ", but there are " + std::to_string(number_of_vertices));
+    for(const Soft_position<D>& soft : soft_positions) {
+      if(soft.vertex < 0 || soft.vertex >= number_of_vertices)
+        return fail("a soft position is for vertex number " + std::to_string(soft.vertex) + ", but there are " +
+                    std::to_string(number_of_vertices));
+      if(!soft.target.allFinite())
+        return fail("the soft position of vertex number " + std::to_string(soft.vertex) + " is not finite");
+      if(!(soft.weight >= 0) || !std::isfinite(soft.weight))
+        return fail("the weight of the soft position of vertex number " + std::to_string(soft.vertex) + " is negative or not finite");
+    }
+    return true;
+  }
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_CONSTRAINTS_POSITION_CONSTRAINTS_H
