@@ -12,26 +12,45 @@
 #include <CGAL/Flip_free_maps/Map_options.h>
 #include <CGAL/Flip_free_maps/Summary.h>
 #include <CGAL/Flip_free_maps/concepts.h>
+#include <CGAL/Flip_free_maps/constraints/Objective_term.h>
+#include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/constraints/Soft_positions.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/characteristic_gradient.h>
 #include <CGAL/Flip_free_maps/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
 #include <CGAL/Flip_free_maps/internal/remove_rigid_motion.h>
 #include <CGAL/Flip_free_maps/line_search/Line_search.h>
+#include <CGAL/Flip_free_maps/references/Fixed_reference.h>
 
 #include <boost/concept_check.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
+
+namespace internal {
+
+template <typename Acceleration, typename = void>
+struct Has_extrapolate : std::false_type {};
+
+template <typename Acceleration>
+struct Has_extrapolate<Acceleration, std::void_t<decltype(std::declval<Acceleration&>().extrapolate(
+                                       std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>()))>>
+  : std::true_type {};
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Minimises the mean distortion energy of a map without ever flipping an element. Each iteration finds a direction by
@@ -41,8 +60,8 @@ namespace Flip_free_maps {
 /// \tparam D dimension, 2 or 3
 /// \tparam Traits must be a model of `MapTraits`
 ///
-/// Complexity: per iteration one sparse factorization and solve of D |V| unknowns, everything else linear in the number of elements.
-/// The pattern of the matrix is analysed once per object.
+/// Complexity: per iteration one sparse factorization and solve of D times as many unknowns as there are vertices that are not
+/// fixed, everything else linear in the number of elements. The pattern of the matrix is analysed once per object.
 template <int D, typename Traits = Flip_free_map_traits<>>
 class Map_minimizer
 {
@@ -52,16 +71,33 @@ class Map_minimizer
   using Tag = typename Traits::Concurrency_tag;
   using Preconditioner = typename Traits::Preconditioner;
 
-  static constexpr bool IS_CONSTANT = std::is_same<typename Preconditioner::Category, Constant_matrix_tag>::value;
-
 public:
-  /// Keeps a reference to `domain`, which must outlive this object, and a copy of `traits`.
-  explicit Map_minimizer(const Simplicial_domain<D>& domain, const Traits& traits = Traits())
-    : m_domain(domain), m_traits(traits), m_objective(domain, m_traits.energy, m_traits.preconditioner)
-  {}
+  /// Keeps a reference to `domain`, which must outlive this object, and copies of the others.
+  ///
+  /// \param domain the rest shape
+  /// \param traits the method and its settings
+  /// \param constraints vertices that are fixed or pulled to places
+  explicit Map_minimizer(const Simplicial_domain<D>& domain, const Traits& traits = Traits(),
+                         const Position_constraints<D>& constraints = Position_constraints<D>())
+    : m_domain(domain), m_traits(traits), m_objective(domain, m_traits.energy, m_traits.preconditioner),
+      m_linear_solver(m_traits.make_linear_solver()), m_solver(m_linear_solver)
+  {
+    if(!constraints.is_valid(domain.number_of_vertices, &m_constraint_error))
+      return;
+    m_objective.fix(constraints.fixed_vertices);
+    if(!constraints.soft_positions.empty())
+      m_objective.add_term(std::make_shared<Soft_positions<D>>(constraints.soft_positions));
+  }
 
   Map_minimizer(const Map_minimizer&) = delete;
   Map_minimizer& operator=(const Map_minimizer&) = delete;
+
+  /// Minimises `term` along with the energy, from the next run on. The term may change between runs, except for its stencils.
+  /// \pre Nothing was minimised yet.
+  void add_term(std::shared_ptr<const Objective_term<D>> term) { m_objective.add_term(std::move(term)); }
+
+  /// The settings; they may be changed between runs.
+  Map_options& options() { return m_traits.options; }
 
   /// Minimises, beginning at the positions `x`, in the domain's units of length.
   ///
@@ -79,28 +115,36 @@ public:
   /// The same, adding to the counts and times of a given summary.
   void minimize(Positions<D>& x, Summary& summary)
   {
-    summary.vertices = m_domain.number_of_vertices;
-    summary.elements = m_domain.number_of_elements();
-    summary.energy_name = Traits::Energy::name();
-    summary.preconditioner = Preconditioner::name();
-    std::string message;
-    if(!m_traits.options.is_valid(&message)) {
-      finish(summary, Status::invalid_option, message);
-      return;
-    }
-    if(x.cols() != m_domain.number_of_vertices) {
-      finish(summary, Status::invalid_option, "the start must have a column for each vertex");
-      return;
-    }
-    try {
-      Positions<D> result = x;
-      run(result, summary);
-      if(summary.is_valid())
-        x = std::move(result);
-    } catch(const std::bad_alloc&) {
-      finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
-    }
-    summary.peak_memory_mb = internal::peak_memory_mb();
+    guarded(x, summary, [&](Run& run) {
+      if(begin(run))
+        iterate(run);
+    });
+  }
+
+  /// Moves the fixed vertices of a map to other positions and minimises there. Where the other vertices cannot follow at once
+  /// without a flip, the fixed vertices take as many steps as are needed, and the map is optimised a little after each.
+  ///
+  /// \param x a map without flips; on return the result when the summary `is_valid()`, otherwise unchanged
+  /// \param targets its columns of fixed vertices are where these go; others are not read
+  /// \returns what happened: as `minimize()`, or `unreachable_constraints` when no path without flips was found
+  Summary move_fixed_vertices(Positions<D>& x, const Positions<D>& targets)
+  {
+    Summary summary;
+    move_fixed_vertices(x, targets, summary);
+    return summary;
+  }
+
+  /// The same, adding to the counts and times of a given summary.
+  void move_fixed_vertices(Positions<D>& x, const Positions<D>& targets, Summary& summary)
+  {
+    guarded(x, summary, [&](Run& run) {
+      if(targets.cols() != m_domain.number_of_vertices) {
+        finish(summary, Status::invalid_option, "the targets must have a column for each vertex");
+        return;
+      }
+      if(begin(run) && drag(run, targets))
+        iterate(run);
+    });
   }
 
 private:
@@ -113,8 +157,10 @@ private:
   // What the stopping rules look at.
   struct Progress
   {
-    double energy = 0;
-    double relative_decrease = std::numeric_limits<double>::infinity();
+    double energy = 0;      // what is minimised in this iteration, measured on the reference
+    double rest_energy = 0; // the same, measured on the rest shape
+    double relative_decrease = std::numeric_limits<double>::infinity(); // of the rest energy
+    double model_ratio = std::numeric_limits<double>::quiet_NaN();
     double gradient_norm = 0;
     double characteristic_gradient_norm = 0;
     double step = 0;
@@ -123,11 +169,217 @@ private:
     bool fresh = false; // the last direction was of second order with a matrix of its own
   };
 
-  bool is_converged(const Progress& progress, bool first, Summary& summary) const
+  // The variables of one run.
+  struct Run
   {
-    const Map_options& options = m_traits.options;
-    const auto stop = [&summary](const char* rule) {
-      finish(summary, Status::success, rule);
+    Run(Positions<D>& positions, Summary& s) : x(positions), summary(s) {}
+
+    Positions<D>& x;
+    Summary& summary;
+    Map_options options;
+    Progress progress;
+    double time_begin = 0;
+    double characteristic_gradient = 0;
+    bool is_rest_reference = true;
+    double shift = BASE_SHIFT;
+    int retries = 0;
+    int first_iteration = 0; // of this run, in the counts of the summary
+    Eigen::VectorXd unknowns, gradient, direction;
+    Positions<D> displacement, trial;
+  };
+
+  // Whatever happens inside, `x` changes only if the map is valid.
+  template <typename Body>
+  void guarded(Positions<D>& x, Summary& summary, Body&& body)
+  {
+    summary.vertices = m_domain.number_of_vertices;
+    summary.elements = m_domain.number_of_elements();
+    summary.energy_name = Traits::Energy::name();
+    summary.preconditioner = Preconditioner::name();
+    summary.reference = Traits::Reference::name();
+    summary.acceleration = Traits::Acceleration::name();
+    std::string message = m_constraint_error;
+    if(!message.empty() || !m_traits.options.is_valid(&message)) {
+      finish(summary, Status::invalid_option, message);
+      return;
+    }
+    if(x.cols() != m_domain.number_of_vertices) {
+      finish(summary, Status::invalid_option, "the start must have a column for each vertex");
+      return;
+    }
+    try {
+      Positions<D> result = x;
+      Run run(result, summary);
+      body(run);
+      if(summary.is_valid())
+        x = std::move(result);
+    } catch(const std::bad_alloc&) {
+      finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
+    }
+    summary.peak_memory_mb = internal::peak_memory_mb();
+  }
+
+  bool allows_flips() const { return m_traits.options.allow_flips && !internal::has_barrier(m_traits.energy); }
+
+  // Checks the start and prepares what all iterations share.
+  bool begin(Run& run)
+  {
+    Summary& summary = run.summary;
+    run.options = m_traits.options;
+    run.time_begin = internal::wall_seconds();
+    run.first_iteration = summary.iterations;
+    m_solver.set_summary(summary);
+    {
+      const internal::Phase_timer timer(summary.seconds.certify);
+      summary.flips = run.x.allFinite() ? flips(run.x) : m_domain.number_of_elements();
+    }
+    const bool is_usable = summary.flips == 0 || (allows_flips() && run.x.allFinite());
+    m_traits.reference.restart();
+    run.is_rest_reference = !is_usable || m_traits.reference.update(m_domain, run.x);
+    measure(run, is_usable);
+    if(!is_usable || !std::isfinite(run.progress.energy)) {
+      finish(summary, Status::start_not_flip_free, "the start has flipped or collapsed elements");
+      return false;
+    }
+    summary.energy_initial = summary.energy = run.progress.rest_energy;
+    summary.energy_of_terms = m_objective.energy_of_terms(run.x);
+    if(!m_is_analyzed) {
+      {
+        const internal::Phase_timer timer(summary.seconds.assemble);
+        m_objective.build_pattern();
+      }
+      if(m_objective.number_of_unknowns() > 0 && !m_solver.analyze_pattern(m_objective.matrix())) {
+        finish(summary, Status::linear_solver_failed, "the linear solver could not analyse the pattern of the matrix");
+        return false;
+      }
+      m_is_analyzed = true;
+    }
+    run.characteristic_gradient = internal::characteristic_gradient(m_domain, m_traits.energy);
+    m_is_factorized = m_is_factorized && run.options.keep_factorization;
+    if(m_is_factorized) {
+      // To the refactorization rule a kept matrix is one that has served well so far.
+      run.progress.step = 1;
+      run.progress.relative_decrease = 0;
+    }
+    m_traits.acceleration.reset();
+    return true;
+  }
+
+  // Energies at x after x or the reference changed.
+  void measure(Run& run, bool is_usable = true) const
+  {
+    Progress& progress = run.progress;
+    progress.energy = is_usable ? m_objective.energy(m_traits.reference, run.x) : 0;
+    progress.rest_energy = run.is_rest_reference ? progress.energy : m_objective.energy(Fixed_reference(), run.x);
+  }
+
+  // Iterates until a rule ends the run, and says which in the summary.
+  void iterate(Run& run)
+  {
+    while(iterate_once(run)) {
+    }
+    Summary& summary = run.summary;
+    if(!summary.is_valid())
+      return;
+    summary.flips = allows_flips() ? flips(run.x) : 0;
+    summary.energy_of_terms = m_objective.energy_of_terms(run.x);
+    const std::pair<double, double> range = m_objective.singular_value_range(run.x);
+    summary.min_singular_value = range.first;
+    summary.max_singular_value = range.second;
+  }
+
+  // One iteration, or an attempt at one that failed and left a more careful matrix for the next. Returns whether to go on.
+  bool iterate_once(Run& run)
+  {
+    Progress& progress = run.progress;
+    Summary& summary = run.summary;
+    if(run.retries == 0) {
+      Run_state state;
+      state.iteration = summary.iterations - run.first_iteration;
+      state.relative_decrease = run.is_rest_reference ? progress.relative_decrease : m_traits.reference.relative_decrease();
+      state.model_ratio = progress.model_ratio;
+      state.distorted_fraction = [&](double bound) { return m_objective.distorted_fraction(run.x, bound); };
+      internal::begin_iteration(m_traits.preconditioner, state);
+    }
+    Refactorization refactorization = m_is_factorized ? Refactorization::none : Refactorization::restart;
+    if(m_is_factorized && !internal::is_constant(m_traits.preconditioner) && m_age > 0)
+      refactorization = m_traits.refactorization_rule(m_age, progress.step, progress.relative_decrease);
+    const bool with_matrix = refactorization != Refactorization::none;
+    differentiate(run, with_matrix);
+    if(run.retries == 0 && has_ended(run))
+      return false;
+
+    if(with_matrix && !factorize(run)) {
+      finish(summary, Status::linear_solver_failed, "no factorization succeeded, not even of a strongly shifted matrix");
+      return false;
+    }
+    if(refactorization == Refactorization::restart)
+      m_traits.acceleration.reset();
+
+    m_objective.gather(run.x, run.unknowns);
+    const bool solved = m_traits.acceleration.direction(
+      run.unknowns, run.gradient, [this](const Eigen::VectorXd& b, Eigen::VectorXd& y) { return m_solver.solve(b, y); }, run.direction);
+    double slope = std::numeric_limits<double>::quiet_NaN();
+    Line_search_result found;
+    if(solved) {
+      if(m_objective.is_rigid_motion_invariant())
+        internal::remove_rigid_motion<D>(run.x, run.direction);
+      slope = run.gradient.dot(run.direction);
+      m_objective.spread(run.direction, run.displacement);
+    }
+    if(slope < 0)
+      found = find_step(run, slope);
+    if(!found.success)
+      return recover(run, solved, slope);
+    accept(run, found, slope);
+    extrapolate(run);
+    return true;
+  }
+
+  // Gradient, and the matrix if asked for.
+  void differentiate(Run& run, bool with_matrix)
+  {
+    Progress& progress = run.progress;
+    Summary& summary = run.summary;
+    {
+      const internal::Phase_timer timer(summary.seconds.assemble);
+      m_objective.derivatives(m_traits.reference, run.x, with_matrix, run.gradient);
+    }
+    progress.gradient_norm = run.gradient.norm();
+    progress.characteristic_gradient_norm = progress.gradient_norm / run.characteristic_gradient;
+    summary.energy = progress.rest_energy;
+    summary.gradient_norm = progress.gradient_norm;
+    summary.characteristic_gradient_norm = progress.characteristic_gradient_norm;
+  }
+
+  // Asks the observer, the stopping rules and the limits, in this order.
+  bool has_ended(Run& run) const
+  {
+    Summary& summary = run.summary;
+    const double seconds = internal::wall_seconds() - run.time_begin;
+    if(run.options.observer && !run.options.observer(report(run, seconds))) {
+      finish(summary, Status::stopped_by_observer, "the observer asked to stop");
+      return true;
+    }
+    if(run.is_rest_reference && is_converged(run))
+      return true;
+    if(summary.iterations - run.first_iteration >= run.options.max_iterations) {
+      finish(summary, Status::iteration_limit, "the limit of iterations is reached");
+      return true;
+    }
+    if(seconds >= run.options.max_seconds) {
+      finish(summary, Status::time_limit, "the limit of time is reached");
+      return true;
+    }
+    return false;
+  }
+
+  bool is_converged(const Run& run) const
+  {
+    const Progress& progress = run.progress;
+    const Map_options& options = run.options;
+    const auto stop = [&run](const char* rule) {
+      finish(run.summary, Status::success, rule);
       return true;
     };
     if(progress.energy <= options.target_energy)
@@ -136,188 +388,255 @@ private:
       return stop("the norm of the gradient is within its tolerance");
     if(progress.characteristic_gradient_norm <= options.characteristic_gradient_tolerance)
       return stop("the characteristic norm of the gradient is within its tolerance");
-    if(!first && options.relative_energy_tolerance > 0 && progress.relative_decrease <= options.relative_energy_tolerance &&
+    if(run.summary.iterations > run.first_iteration && options.relative_energy_tolerance > 0 &&
+       progress.relative_decrease <= options.relative_energy_tolerance &&
        (progress.small_decreases >= options.stagnation_iterations || (progress.fresh && progress.step >= 0.5)))
       return stop("the relative decrease of the energy is within its tolerance");
     return false;
   }
 
-  void run(Positions<D>& x, Summary& summary)
+  bool factorize(Run& run)
   {
-    const Map_options& options = m_traits.options;
-    typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
-    internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver, summary);
-    const double time_begin = internal::wall_seconds();
-
-    Progress progress;
-    bool is_rest_reference = m_traits.reference.update(m_domain, x);
-    {
-      const internal::Phase_timer timer(summary.seconds.certify);
-      summary.flips = x.allFinite() ? flips(x) : m_domain.number_of_elements();
+    m_is_factorized = true;
+    m_age = 0;
+    finish_matrix(run);
+    if(internal::can_retreat(m_traits.preconditioner)) {
+      if(m_solver.try_to_factorize(m_objective.matrix()))
+        return true;
+      retreat(run);
+      differentiate(run, true);
+      finish_matrix(run);
     }
-    progress.energy = summary.flips == 0 ? m_objective.energy(m_traits.reference, x) : 0;
-    if(summary.flips != 0 || !std::isfinite(progress.energy)) {
-      finish(summary, Status::start_not_flip_free, "the start has flipped or collapsed elements");
-      return;
-    }
-    summary.energy_initial = summary.energy = progress.energy;
-    {
-      const internal::Phase_timer timer(summary.seconds.assemble);
-      m_objective.build_pattern();
-    }
-    if(!solver.analyze_pattern(m_objective.matrix())) {
-      finish(summary, Status::linear_solver_failed, "the linear solver could not analyse the pattern of the matrix");
-      return;
-    }
-    const double characteristic_gradient = internal::characteristic_gradient(m_domain, m_traits.energy);
-
-    Eigen::VectorXd gradient, direction;
-    Positions<D> trial(D, x.cols());
-    int age = 0; // accepted steps since the last factorization
-    bool is_factorized = false;
-    double shift = BASE_SHIFT;
-    int retries = 0;
-    for(;;) {
-      Refactorization refactorization = is_factorized ? Refactorization::none : Refactorization::restart;
-      if(is_factorized && !IS_CONSTANT && age > 0)
-        refactorization = m_traits.refactorization_rule(age, progress.step, progress.relative_decrease);
-      const bool with_matrix = refactorization != Refactorization::none;
-      {
-        const internal::Phase_timer timer(summary.seconds.assemble);
-        m_objective.derivatives(m_traits.reference, x, with_matrix, gradient);
-      }
-      progress.gradient_norm = gradient.norm();
-      progress.characteristic_gradient_norm = progress.gradient_norm / characteristic_gradient;
-      summary.energy = progress.energy;
-      summary.gradient_norm = progress.gradient_norm;
-      summary.characteristic_gradient_norm = progress.characteristic_gradient_norm;
-
-      if(retries == 0) {
-        if(options.observer && !options.observer(report(progress, summary, internal::wall_seconds() - time_begin))) {
-          finish(summary, Status::stopped_by_observer, "the observer asked to stop");
-          break;
-        }
-        if(is_rest_reference && is_converged(progress, summary.iterations == 0, summary))
-          break;
-        if(summary.iterations >= options.max_iterations) {
-          finish(summary, Status::iteration_limit, "the limit of iterations is reached");
-          break;
-        }
-        if(internal::wall_seconds() - time_begin >= options.max_seconds) {
-          finish(summary, Status::time_limit, "the limit of time is reached");
-          break;
-        }
-      }
-
-      if(with_matrix) {
-        anchor(m_objective.matrix());
-        if(!solver.factorize(m_objective.matrix(), shift)) {
-          finish(summary, Status::linear_solver_failed, "no factorization succeeded, not even of a strongly shifted matrix");
-          break;
-        }
-        is_factorized = true;
-        age = 0;
-        if(refactorization == Refactorization::restart)
-          m_traits.acceleration.reset();
-      }
-
-      const Eigen::Map<const Eigen::VectorXd> flat_x(x.data(), x.size());
-      const bool solved = m_traits.acceleration.direction(
-        flat_x, gradient, [&solver](const Eigen::VectorXd& b, Eigen::VectorXd& y) { return solver.solve(b, y); }, direction);
-      double slope = std::numeric_limits<double>::quiet_NaN();
-      Line_search_result found;
-      if(solved) {
-        internal::remove_rigid_motion<D>(x, direction);
-        slope = gradient.dot(direction);
-      }
-      if(slope < 0) {
-        const internal::Phase_timer timer(summary.seconds.line_search);
-        const Eigen::Map<const Positions<D>> d(direction.data(), D, x.cols());
-        progress.largest_step = m_objective.largest_step(x, d);
-        double largest = progress.largest_step;
-        // Rounding may leave an element of the accepted candidate collapsed or flipped although its energy was finite; then a
-        // shorter step is searched.
-        for(int i = 0; i < 10; ++i) {
-          found = line_search(
-            [&](double step) {
-              trial = x + step * d;
-              return m_objective.energy(m_traits.reference, trial);
-            },
-            progress.energy, slope, largest, options.extend_steps && Preconditioner::is_second_order, options);
-          summary.energy_evaluations += found.evaluations;
-          if(!found.success)
-            break;
-          trial = x + found.step * d;
-          const internal::Phase_timer certify_timer(summary.seconds.certify);
-          if(flips(trial) == 0)
-            break;
-          largest = found.step;
-          found.success = false;
-        }
-      }
-
-      if(!found.success) {
-        // A stationary map has no direction of descent beyond rounding.
-        if(std::abs(slope) <= 1e-12 * std::abs(progress.energy) && is_rest_reference) {
-          finish(summary, Status::success, "the predicted decrease of the energy is below rounding");
-          break;
-        }
-        if(retries >= MAX_RETRIES && !solved) {
-          finish(summary, Status::linear_solver_failed, "the linear solver found no direction");
-          break;
-        }
-        if(retries >= MAX_RETRIES) {
-          finish(summary, Status::line_search_failed, "no step decreases the energy, although the gradient does not vanish");
-          break;
-        }
-        // An old matrix is replaced by a fresh one first; then the matrix is shifted towards its diagonal.
-        if(retries > 0 || age == 0)
-          shift = (std::max)(1e-6, 100 * shift);
-        ++retries;
-        is_factorized = false;
-        continue;
-      }
-
-      if(options.free_blocked_vertices && found.step < THROTTLED && found.step >= 0.5 * progress.largest_step) {
-        const internal::Phase_timer timer(summary.seconds.line_search);
-        const Eigen::Map<const Positions<D>> d(direction.data(), D, x.cols());
-        m_objective.free_blocked_vertices(
-          m_traits.reference, d, BLOCKED * progress.largest_step,
-          [this](std::int64_t e, const Positions<D>& y) { return internal::is_positively_oriented<Kernel>(m_domain.elements[e], y); },
-          trial);
-        found.energy = m_objective.energy(m_traits.reference, trial);
-      }
-
-      progress.fresh = age == 0 && Preconditioner::is_second_order;
-      progress.step = found.step;
-      progress.relative_decrease = (progress.energy - found.energy) / std::abs(found.energy);
-      progress.small_decreases = progress.relative_decrease <= options.relative_energy_tolerance ? progress.small_decreases + 1 : 0;
-      progress.energy = found.energy;
-      x.swap(trial);
-      ++summary.iterations;
-      ++age;
-      retries = 0;
-      shift = BASE_SHIFT;
-      is_rest_reference = m_traits.reference.update(m_domain, x);
-    }
-
-    summary.flips = 0;
-    const std::pair<double, double> range = m_objective.singular_value_range(x);
-    summary.min_singular_value = range.first;
-    summary.max_singular_value = range.second;
+    return m_solver.factorize(m_objective.matrix(), run.shift);
   }
 
-  Iteration_report report(const Progress& progress, const Summary& summary, double seconds) const
+  // Takes the more careful form of a preconditioner that has one. `false` if it is in use already.
+  bool retreat(Run& run)
+  {
+    if(!internal::can_retreat(m_traits.preconditioner))
+      return false;
+    internal::retreat(m_traits.preconditioner);
+    ++run.summary.fallbacks;
+    return true;
+  }
+
+  void finish_matrix(const Run& run)
+  {
+    Block_sparse_matrix& matrix = m_objective.matrix();
+    if(run.options.tikhonov > 0)
+      for(Block_sparse_matrix::Index i = 0; i < matrix.rows(); ++i)
+        matrix.diagonal(i) += run.options.tikhonov;
+    // Translations are in the null space of every preconditioner. Stiffness on one vertex removes them without changing the
+    // solution, since the gradient is orthogonal to them.
+    if(m_objective.is_rigid_motion_invariant())
+      for(int i = 0; i < D; ++i)
+        matrix.diagonal(i) *= 2;
+  }
+
+  // A step along the displacement after which no element is flipped. Leaves the new positions in `trial`.
+  Line_search_result find_step(Run& run, double slope)
+  {
+    const internal::Phase_timer timer(run.summary.seconds.line_search);
+    Line_search_result found;
+    run.progress.largest_step =
+      allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
+    double largest = run.progress.largest_step;
+    // Rounding may leave an element of the accepted candidate collapsed or flipped although its energy was finite; then a
+    // shorter step is searched.
+    for(int i = 0; i < 10; ++i) {
+      found = line_search(
+        [&](double step) {
+          run.trial = run.x + step * run.displacement;
+          return m_objective.energy(m_traits.reference, run.trial);
+        },
+        run.progress.energy, slope, largest, run.options.extend_steps && m_traits.preconditioner.is_second_order, run.options);
+      run.summary.energy_evaluations += found.evaluations;
+      if(!found.success)
+        break;
+      run.trial = run.x + found.step * run.displacement;
+      if(is_certified(run, run.trial))
+        break;
+      largest = found.step;
+      found.success = false;
+    }
+    return found;
+  }
+
+  bool is_certified(Run& run, const Positions<D>& x) const
+  {
+    const internal::Phase_timer timer(run.summary.seconds.certify);
+    return allows_flips() || flips(x) == 0;
+  }
+
+  // After an attempt that led nowhere: ends the run, or asks for a fresh matrix, then for one that is shifted towards its diagonal.
+  bool recover(Run& run, bool solved, double slope)
+  {
+    // A stationary map has no direction of descent beyond rounding.
+    if(std::abs(slope) <= 1e-12 * std::abs(run.progress.energy) && run.is_rest_reference) {
+      finish(run.summary, Status::success, "the predicted decrease of the energy is below rounding");
+      return false;
+    }
+    if(m_age == 0 && retreat(run)) {
+      m_is_factorized = false;
+      return true;
+    }
+    if(run.retries >= MAX_RETRIES && !solved) {
+      finish(run.summary, Status::linear_solver_failed, "the linear solver found no direction");
+      return false;
+    }
+    if(run.retries >= MAX_RETRIES) {
+      finish(run.summary, Status::line_search_failed, "no step decreases the energy, although the gradient does not vanish");
+      return false;
+    }
+    if(run.retries > 0 || m_age == 0)
+      run.shift = (std::max)(1e-6, 100 * run.shift);
+    ++run.retries;
+    m_is_factorized = false;
+    return true;
+  }
+
+  void accept(Run& run, Line_search_result found, double slope)
+  {
+    Progress& progress = run.progress;
+    if(run.options.free_blocked_vertices && found.step < THROTTLED && found.step >= 0.5 * progress.largest_step) {
+      const internal::Phase_timer timer(run.summary.seconds.line_search);
+      m_objective.free_blocked_vertices(
+        m_traits.reference, run.displacement, BLOCKED * progress.largest_step,
+        [this](std::int64_t e, const Positions<D>& y) { return internal::is_positively_oriented<Kernel>(m_domain.elements[e], y); },
+        run.trial);
+      found.energy = m_objective.energy(m_traits.reference, run.trial);
+    }
+    progress.fresh = m_age == 0 && m_traits.preconditioner.is_second_order;
+    progress.step = found.step;
+    // The quadratic model along the direction is slope a + curvature a^2 / 2 with curvature -slope.
+    const double predicted = -slope * found.step * (1 - 0.5 * found.step);
+    progress.model_ratio =
+      progress.fresh && predicted > 0 ? (progress.energy - found.energy) / predicted : std::numeric_limits<double>::quiet_NaN();
+    const double previous = progress.rest_energy;
+    run.x.swap(run.trial);
+    ++run.summary.iterations;
+    ++m_age;
+    run.retries = 0;
+    run.shift = BASE_SHIFT;
+    if(run.is_rest_reference) {
+      progress.energy = progress.rest_energy = found.energy;
+    } else {
+      run.is_rest_reference = m_traits.reference.update(m_domain, run.x);
+      measure(run);
+      m_is_factorized = false;
+    }
+    progress.relative_decrease = (previous - progress.rest_energy) / std::abs(progress.rest_energy);
+    const bool is_small = run.is_rest_reference && progress.relative_decrease <= run.options.relative_energy_tolerance;
+    progress.small_decreases = is_small ? progress.small_decreases + 1 : 0;
+  }
+
+  // Goes on along the last step if the acceleration wants it.
+  void extrapolate(Run& run)
+  {
+    if constexpr(internal::Has_extrapolate<typename Traits::Acceleration>::value) {
+      m_objective.gather(run.x, run.unknowns);
+      if(!run.is_rest_reference || !m_traits.acceleration.extrapolate(run.unknowns, run.direction))
+        return;
+      const internal::Phase_timer timer(run.summary.seconds.line_search);
+      m_objective.spread(run.direction, run.displacement);
+      const double largest =
+        allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
+      run.trial = run.x + (std::min)(1., run.options.step_fraction * largest) * run.displacement;
+      const double energy = m_objective.energy(m_traits.reference, run.trial);
+      ++run.summary.energy_evaluations;
+      const double before = run.progress.energy * (1 + (std::max)(0., run.progress.relative_decrease));
+      if(!(energy <= before) || !is_certified(run, run.trial)) {
+        m_traits.acceleration.reset();
+        return;
+      }
+      run.x.swap(run.trial);
+      run.progress.energy = run.progress.rest_energy = energy;
+    }
+  }
+
+  // Leads the fixed vertices to their targets. In each round the quadratic model is minimised with the fixed vertices at their targets; the map
+  // goes in that direction half as far as it could without a flip, and is then optimised a little.
+  bool drag(Run& run, const Positions<D>& targets)
+  {
+    Summary& summary = run.summary;
+    const Map_options options = run.options;
+    for(int round = 0; round < MAX_ROUNDS; ++round) {
+      Positions<D> handles = Positions<D>::Zero(D, run.x.cols());
+      for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
+        if(m_objective.is_fixed(v))
+          handles.col(v) = targets.col(v) - run.x.col(v);
+      if((handles.array() == 0).all()) {
+        run.options = options;
+        summary.flips = 0;
+        return true;
+      }
+      if(!handles.allFinite()) {
+        finish(summary, Status::non_finite_input, "a target is NaN or infinite");
+        return false;
+      }
+      Eigen::VectorXd product;
+      m_objective.multiply(m_traits.reference, run.x, handles, product);
+      const bool reuses = m_is_factorized && round == 0 && options.keep_factorization;
+      differentiate(run, !reuses);
+      if((!reuses && !factorize(run)) || !m_solver.solve(Eigen::VectorXd(run.gradient + product), run.direction)) {
+        finish(summary, Status::linear_solver_failed, "no direction was found while the fixed vertices moved");
+        return false;
+      }
+      m_objective.spread(-run.direction, run.displacement);
+      run.displacement += handles;
+      const double largest = m_objective.largest_step(run.x, run.displacement);
+      double step = 0.5 * largest >= 1 ? 1 : 0.5 * largest;
+      for(;; step *= 0.5) {
+        run.trial = run.x + step * run.displacement;
+        // The vertices arrive exactly.
+        if(step == 1)
+          for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
+            if(m_objective.is_fixed(v))
+              run.trial.col(v) = targets.col(v);
+        if(std::isfinite(m_objective.energy(m_traits.reference, run.trial)) && is_certified(run, run.trial))
+          break;
+        if(step < SHORTEST_ROUND) {
+          finish(summary, Status::unreachable_constraints, "no path without flips leads to the positions of the fixed vertices");
+          return false;
+        }
+      }
+      run.x.swap(run.trial);
+      measure(run);
+      if(step == 1)
+        continue;
+      run.options = options;
+      run.options.max_iterations = summary.iterations - run.first_iteration + STEPS_PER_ROUND;
+      run.options.relative_energy_tolerance = 0.01;
+      run.progress.relative_decrease = std::numeric_limits<double>::infinity();
+      run.progress.small_decreases = 0;
+      run.retries = 0;
+      m_is_factorized = false;
+      while(iterate_once(run)) {
+      }
+      if(summary.status == Status::stopped_by_observer || summary.status == Status::time_limit || !summary.is_valid()) {
+        if(summary.status != Status::linear_solver_failed)
+          finish(summary, Status::unreachable_constraints,
+                 "the run ended before the fixed vertices reached their positions: " + std::string(summary.message));
+        return false;
+      }
+    }
+    finish(summary, Status::unreachable_constraints, "the fixed vertices did not reach their positions in " +
+                                                       std::to_string(MAX_ROUNDS) + " rounds");
+    return false;
+  }
+
+  Iteration_report report(const Run& run, double seconds) const
   {
     Iteration_report report;
-    report.iteration = summary.iterations;
+    report.iteration = run.summary.iterations;
     report.seconds = seconds;
-    report.energy = progress.energy;
-    report.gradient_norm = progress.gradient_norm;
-    report.characteristic_gradient_norm = progress.characteristic_gradient_norm;
-    report.step = progress.step;
-    report.largest_step = progress.largest_step;
-    report.factorizations = summary.factorizations;
+    report.energy = run.progress.rest_energy;
+    report.gradient_norm = run.progress.gradient_norm;
+    report.characteristic_gradient_norm = run.progress.characteristic_gradient_norm;
+    report.step = run.progress.step;
+    report.largest_step = run.progress.largest_step;
+    report.factorizations = run.summary.factorizations;
+    report.flips = allows_flips() ? flips(run.x) : 0;
     return report;
   }
 
@@ -326,24 +645,26 @@ private:
     return internal::count_flips<Kernel, Tag>(m_domain, m_objective.schedule(), x);
   }
 
-  // Translations are in the null space of every preconditioner. Stiffness on one vertex removes them without changing the solution,
-  // since the gradient is orthogonal to them.
-  static void anchor(Block_sparse_matrix& matrix)
-  {
-    for(int i = 0; i < D; ++i)
-      matrix.diagonal(i) *= 2;
-  }
-
   // Relative stiffness on the diagonal for the rotations, which are in the null space of some preconditioners.
   static constexpr double BASE_SHIFT = 1e-9;
   static constexpr int MAX_RETRIES = 5;
   // A step below THROTTLED that ends at a collapsing element frees the elements that collapse within BLOCKED times its bound.
   static constexpr double THROTTLED = 0.3;
   static constexpr double BLOCKED = 4;
+  // Of the way of fixed vertices to their targets: rounds, iterations between them, and the shortest part of the rest of the way.
+  static constexpr int MAX_ROUNDS = 300;
+  static constexpr int STEPS_PER_ROUND = 4;
+  static constexpr double SHORTEST_ROUND = 1e-8;
 
   const Simplicial_domain<D>& m_domain;
   Traits m_traits;
   internal::Map_objective<D, Traits> m_objective;
+  typename Traits::Linear_solver m_linear_solver;
+  internal::Robust_solver<typename Traits::Linear_solver> m_solver;
+  std::string m_constraint_error;
+  bool m_is_analyzed = false;
+  bool m_is_factorized = false;
+  int m_age = 0; // accepted steps since the last factorization
 };
 
 } // namespace Flip_free_maps

@@ -68,6 +68,14 @@ struct Map_options
   /// local optimum, one by one.
   bool free_blocked_vertices = true;
 
+  /// Energies without a barrier, such as `Arap`, are minimised without regard to flips, which the summary counts. The start may have flips
+  /// then. Energies with a barrier take no notice.
+  bool allow_flips = false;
+  /// Added to the diagonal of the matrix in each iteration, as Claici et al. 2017 do (c = 1e-4 in section 6.2) against singular matrices.
+  double tikhonov = 0;
+  /// A minimizer that runs again begins with the factorization of its last run, for maps that change a little between runs.
+  bool keep_factorization = false;
+
   /// Called before the first and after every accepted step; returning `false` stops the run with a valid map.
   std::function<bool(const Iteration_report&)> observer;
 
@@ -95,6 +103,8 @@ struct Map_options
       return fail("step_fraction must be in (0, 1)");
     if(!(armijo > 0 && armijo < 0.5))
       return fail("armijo must be in (0, 1/2)");
+    if(!is_tolerance(tikhonov))
+      return fail("tikhonov must be finite and not negative");
     if(max_line_search_steps < 1)
       return fail("max_line_search_steps must be at least 1");
     return true;

@@ -47,8 +47,10 @@ struct Summary
   int linear_solves = 0;                    ///< right-hand sides solved
   int inner_iterations = 0;                 ///< iterations of iterative linear solvers
   int energy_evaluations = 0;               ///< evaluations of the energy along directions
+  int fallbacks = 0;                        ///< iterations in which `Newton` projected the Hessian
   double energy_initial = -1;               ///< mean energy of the start (symmetric Dirichlet: an isometry has 1)
   double energy = -1;                       ///< mean energy of the result
+  double energy_of_terms = 0;               ///< the part of `energy` that terms beside the elements contribute, soft positions for example
   double gradient_norm = -1;                ///< Euclidean norm of the gradient at the end, on the mesh scaled to measure 1
   double characteristic_gradient_norm = -1; ///< the same over the characteristic gradient (see `Map_options`)
   double min_singular_value = -1;           ///< smallest singular value over all elements
@@ -64,6 +66,8 @@ struct Summary
   std::string start;                        ///< the start that was used, fallbacks included
   std::string energy_name;                  ///< name of the energy
   std::string preconditioner;               ///< name of the preconditioner
+  std::string reference;                    ///< name of the reference
+  std::string acceleration;                 ///< name of the acceleration
 
   /// `true` when a stopping rule was met. A map is valid, but not converged, when a limit or the observer ended the run.
   bool converged() const { return status == Status::success; }
@@ -89,7 +93,9 @@ void to_json(Json& json, const Summary& summary)
   json["linear_solves"] = summary.linear_solves;
   json["inner_iterations"] = summary.inner_iterations;
   json["energy_evaluations"] = summary.energy_evaluations;
+  json["fallbacks"] = summary.fallbacks;
   json["energy"] = summary.energy;
+  json["energy_of_terms"] = summary.energy_of_terms;
   json["energy_initial"] = summary.energy_initial;
   json["gradient_norm"] = summary.gradient_norm;
   json["characteristic_gradient_norm"] = summary.characteristic_gradient_norm;
@@ -119,6 +125,8 @@ void to_json(Json& json, const Summary& summary)
   json["start"] = summary.start;
   json["energy_name"] = summary.energy_name;
   json["preconditioner"] = summary.preconditioner;
+  json["reference"] = summary.reference;
+  json["acceleration"] = summary.acceleration;
 }
 
 /// \ingroup PkgFlipFreeMapsRef

@@ -100,8 +100,7 @@ struct PreconditionerConcept
     using Category = typename P::Category;
     static_assert(std::is_same<Category, Constant_matrix_tag>::value || std::is_same<Category, Varying_matrix_tag>::value,
                   "Category must be Constant_matrix_tag or Varying_matrix_tag");
-    static_assert(std::is_same<decltype(P::is_second_order), const bool>::value, "is_second_order must be a constant bool");
-    static_assert(P::is_second_order || !P::is_second_order, "is_second_order must be known at compile time");
+    static_assert(std::is_same<std::remove_const_t<decltype(P::is_second_order)>, bool>::value, "is_second_order must be a bool");
     const auto check = &PreconditionerConcept::requirements;
     boost::ignore_unused_variable_warning(check);
   }
@@ -110,6 +109,8 @@ private:
   static void requirements(const P& preconditioner, const Energy& energy, const Element_state<D>& state, Increment_form<D>& form)
   {
     const std::string name = P::name();
+    const bool is_second_order = preconditioner.is_second_order;
+    boost::ignore_unused_variable_warning(is_second_order);
     preconditioner.form(state, energy, form);
     boost::ignore_unused_variable_warning(name);
   }
@@ -134,11 +135,14 @@ private:
                            std::int64_t e)
   {
     const std::string name = R::name();
+    reference.restart();
     const bool is_rest_shape = reference.update(domain, x);
+    const double relative_decrease = const_reference.relative_decrease();
     const Eigen::Matrix<double, D, D>& rest_inverse = const_reference.rest_inverse(domain, e);
     const double weight = const_reference.weight(domain, e);
     boost::ignore_unused_variable_warning(name);
     boost::ignore_unused_variable_warning(is_rest_shape);
+    boost::ignore_unused_variable_warning(relative_decrease);
     boost::ignore_unused_variable_warning(rest_inverse);
     boost::ignore_unused_variable_warning(weight);
   }

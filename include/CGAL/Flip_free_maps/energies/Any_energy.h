@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/internal/energy_members.h>
+#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
 
 #include <Eigen/Core>
 
@@ -21,15 +22,15 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsEnergies
-/// An energy with a barrier that is chosen at run time: it holds a model of `DistortionEnergy` whose type it forgets, so that one
+/// An energy that is chosen at run time: it holds a model of `DistortionEnergy` whose type it forgets, so that one
 /// instantiation of an algorithm serves all energies. Copies share the energy they hold, which does not change.
 ///
 /// \cgalModels{DistortionEnergy}
 class Any_energy
 {
 public:
-  /// Only energies with a barrier can be held.
-  static constexpr bool has_barrier = true;
+  /// Not all energies that it may hold have one; see `holds_barrier()`.
+  static constexpr bool has_barrier = false;
 
   /// "any", the same for all objects; see `energy_name()`.
   static const char* name() { return "any"; }
@@ -38,15 +39,19 @@ public:
   Any_energy() : Any_energy(Symmetric_dirichlet()) {}
 
   /// Holds a copy of `energy`.
-  /// \tparam Energy must be a model of `DistortionEnergy` for both dimensions, with a barrier
+  /// \tparam Energy must be a model of `DistortionEnergy` for both dimensions
   template <typename Energy, typename = std::enable_if_t<!std::is_same<Energy, Any_energy>::value>>
   explicit Any_energy(const Energy& energy) : m_energy(std::make_shared<Model<Energy>>(energy))
-  {
-    static_assert(Energy::has_barrier, "Any_energy holds energies with a barrier");
-  }
+  {}
 
   /// The name of the energy that is held.
   std::string energy_name() const { return m_energy->name(); }
+
+  /// Whether the energy that is held has a barrier.
+  bool holds_barrier() const { return m_energy->holds_barrier(); }
+
+  /// Whether `Composite_majorization` can be used: whether the energy that is held has a convex part or a composition of its own.
+  bool is_convex_concave() const { return m_energy->is_convex_concave(); }
 
   /// psi at the singular values `s`.
   template <int D>
@@ -70,11 +75,35 @@ public:
     return m_energy->slim_target(s);
   }
 
+  /// The Hessian of the convex part. \pre `is_convex_concave()`
+  template <int D>
+  void convex_hessian(const Eigen::Matrix<double, D, 1>& s, const Eigen::Matrix<double, D, D>& hessian,
+                      Eigen::Matrix<double, D, D>& convex) const
+  {
+    static_assert(D == 2, "convex parts are asked for in the plane");
+    m_energy->convex_hessian(s, hessian, convex);
+  }
+
+  /// Compositions exist in the plane.
+  template <int D>
+  static constexpr bool has_composite_form = D == 2;
+
+  /// Writes the majorizer of the composition of the energy that is held; `false` if it has none.
+  template <int D>
+  bool composite_form(const Element_state<D>& state, Increment_form<D>& form) const
+  {
+    return m_energy->composite_form(state, form);
+  }
+
 private:
   struct Base
   {
     virtual ~Base() = default;
     virtual const char* name() const = 0;
+    virtual bool holds_barrier() const = 0;
+    virtual bool is_convex_concave() const = 0;
+    virtual void convex_hessian(const Eigen::Vector2d& s, const Eigen::Matrix2d& hessian, Eigen::Matrix2d& convex) const = 0;
+    virtual bool composite_form(const Element_state<2>& state, Increment_form<2>& form) const = 0;
     virtual double value(const Eigen::Vector2d& s) const = 0;
     virtual double value(const Eigen::Vector3d& s) const = 0;
     virtual void derivatives(const Eigen::Vector2d& s, Eigen::Vector2d& gradient, Eigen::Matrix2d& hessian) const = 0;
@@ -88,6 +117,25 @@ private:
   {
     explicit Model(const Energy& e) : energy(e) {}
     const char* name() const override { return Energy::name(); }
+    bool holds_barrier() const override { return internal::has_barrier(energy); }
+    bool is_convex_concave() const override
+    {
+      return internal::Has_convex_hessian<Energy, 2>::value || internal::Has_composite_form<Energy, 2>::value;
+    }
+    void convex_hessian(const Eigen::Vector2d& s, const Eigen::Matrix2d& hessian, Eigen::Matrix2d& convex) const override
+    {
+      if constexpr(internal::Has_convex_hessian<Energy, 2>::value)
+        energy.template convex_hessian<2>(s, hessian, convex);
+      else
+        convex = hessian;
+    }
+    bool composite_form(const Element_state<2>& state, Increment_form<2>& form) const override
+    {
+      if constexpr(internal::Has_composite_form<Energy, 2>::value)
+        return energy.template composite_form<2>(state, form);
+      else
+        return false;
+    }
     double value(const Eigen::Vector2d& s) const override { return energy.template value<2>(s); }
     double value(const Eigen::Vector3d& s) const override { return energy.template value<3>(s); }
     void derivatives(const Eigen::Vector2d& s, Eigen::Vector2d& gradient, Eigen::Matrix2d& hessian) const override

@@ -9,10 +9,12 @@
 #define CGAL_FLIP_FREE_MAPS_ENERGIES_NEO_HOOKEAN_H
 
 #include <CGAL/Flip_free_maps/internal/energy_terms.h>
+#include <CGAL/Flip_free_maps/preconditioners/composite_majorizer.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace CGAL {
@@ -25,7 +27,7 @@ namespace Flip_free_maps {
 /// energy is kappa/2. That paper models rubber by mu / kappa = 0.002.
 ///
 /// There is no `convex_hessian()`: the convex-concave decomposition of that paper is one in the Frobenius norm and the
-/// determinant, not in the singular values.
+/// determinant, not in the singular values. `composite_form()` has it.
 ///
 /// \cgalModels{DistortionEnergy}
 struct Neo_hookean
@@ -76,6 +78,37 @@ struct Neo_hookean
       target[i] = internal::stretch_minimizer<D>(*this, s, i, conformal, volumetric);
     }
     return target;
+  }
+
+  /// The composition below exists in the plane.
+  template <int D>
+  static constexpr bool has_composite_form = D == 2;
+
+  /// What `Composite_majorization` takes: psi = h(u, v) with the Frobenius norm u and the determinant v of J, and the convex function
+  /// h(u, v) = mu/2 (u^2 / v - 2) + kappa/2 (v - 1)^2 (Shtengel et al. 2017, section 4). u is convex, and v is the difference of the
+  /// convex functions |alpha|^2 and |beta|^2, where s = |alpha| +- |beta|. Always true.
+  template <int D>
+  bool composite_form(const Element_state<D>& state, Increment_form<D>& form) const
+  {
+    static_assert(D == 2, "a composition for the plane");
+    const Eigen::Vector2d& s = state.s;
+    const double u = s.norm(), v = s.prod();
+    const Eigen::Vector2d h_gradient(mu * u / v, kappa * (v - 1) - 0.5 * mu * u * u / (v * v));
+    Eigen::Matrix2d h_hessian;
+    h_hessian << mu / v, -mu * u / (v * v), -mu * u / (v * v), mu * u * u / (v * v * v) + kappa;
+
+    std::array<Inner_function<2>, 2> inner;
+    inner[0].gradient = s / u;
+    inner[0].convex.stretch = (Eigen::Matrix2d::Identity() - inner[0].gradient * inner[0].gradient.transpose()) / u;
+    inner[0].convex.pairs[0].set_modes(1 / u, 1 / u);
+    inner[0].concave.stretch.setZero();
+    inner[1].gradient = Eigen::Vector2d(s[1], s[0]);
+    inner[1].convex.stretch << 0.5, 0.5, 0.5, 0.5;
+    inner[1].convex.pairs[0].set_modes(0, 1);
+    inner[1].concave.stretch << 0.5, -0.5, -0.5, 0.5;
+    inner[1].concave.pairs[0].set_modes(1, 0);
+    composite_majorizer<2, 2>(h_gradient, h_hessian, inner, form);
+    return true;
   }
 };
 

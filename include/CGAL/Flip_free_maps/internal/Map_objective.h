@@ -8,10 +8,15 @@
 #ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_MAP_OBJECTIVE_H
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_MAP_OBJECTIVE_H
 
+#include <CGAL/Flip_free_maps/constraints/Objective_term.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/internal/Element_schedule.h>
 #include <CGAL/Flip_free_maps/internal/Signed_svd.h>
 #include <CGAL/Flip_free_maps/internal/Vertex_relaxation.h>
+#include <CGAL/Flip_free_maps/internal/energy_members.h>
+#include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
+#include <CGAL/Flip_free_maps/internal/project_to_psd.h>
 #include <CGAL/Flip_free_maps/line_search/largest_flip_free_step.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
@@ -21,6 +26,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,7 +34,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The mean energy of a map, with its gradient and the preconditioner's matrix: the one place where elements are visited.
+// The mean energy of a map and the terms beside it, with their gradient and the preconditioner's matrix: the one place where elements
+// are visited. Vectors of unknowns hold the coordinates of the vertices that are not fixed, in their order.
 template <int D, typename Traits>
 class Map_objective
 {
@@ -45,41 +52,137 @@ public:
     : m_domain(domain), m_energy(energy), m_preconditioner(preconditioner)
   {
     m_schedule.build(domain.elements, domain.number_of_vertices);
+    fix({});
   }
 
   const Element_schedule& schedule() const { return m_schedule; }
 
+  // Chooses the vertices that are no unknowns.
+  void fix(const std::vector<std::int32_t>& vertices)
+  {
+    m_rows.assign(m_domain.number_of_vertices, 0);
+    for(std::int32_t v : vertices)
+      m_rows[v] = -1;
+    m_number_of_unknowns = 0;
+    for(std::int32_t& row : m_rows)
+      if(row == 0)
+        row = m_number_of_unknowns++;
+  }
+
+  // Vertices that are not fixed.
+  std::int32_t number_of_unknowns() const { return m_number_of_unknowns; }
+
+  bool is_fixed(std::int32_t v) const { return m_rows[v] < 0; }
+
+  // What is minimised along with the energy of the elements. A null pointer is no term.
+  void add_term(std::shared_ptr<const Objective_term<D>> term)
+  {
+    if(term != nullptr)
+      m_terms.push_back(std::move(term));
+  }
+
+  // Whether the whole map can move as a rigid body without any change of the objective.
+  bool is_rigid_motion_invariant() const
+  {
+    bool is_invariant = m_number_of_unknowns == m_domain.number_of_vertices;
+    for(const auto& term : m_terms)
+      is_invariant = is_invariant && term->is_rigid_motion_invariant();
+    return is_invariant;
+  }
+
   // Builds the pattern of the matrix and every element's places in it.
   void build_pattern()
   {
-    m_matrix.build_pattern(m_domain.number_of_vertices, D, m_domain.elements);
+    std::vector<std::vector<std::int32_t>> term_stencils;
+    for(const auto& term : m_terms)
+      for(std::vector<std::int32_t>& stencil : term->stencils()) {
+        for(std::int32_t& v : stencil)
+          v = m_rows[v];
+        term_stencils.push_back(std::move(stencil));
+      }
+    if(m_number_of_unknowns == m_domain.number_of_vertices) {
+      m_matrix.build_pattern(m_number_of_unknowns, D, m_domain.elements, term_stencils);
+    } else {
+      std::vector<Element> stencils = m_domain.elements;
+      for(Element& stencil : stencils)
+        for(std::int32_t& v : stencil)
+          v = m_rows[v];
+      m_matrix.build_pattern(m_number_of_unknowns, D, stencils, term_stencils);
+    }
     m_slots.resize(m_domain.elements.size());
     m_schedule.template scatter<Tag>([this](std::int64_t e) {
       const Element& v = m_domain.elements[e];
       int p = 0;
       for(int a = 0; a <= D; ++a)
-        for(int b = a + 1; b <= D; ++b)
-          m_slots[e][p++] = m_matrix.slot(v[a], v[b]);
+        for(int b = a + 1; b <= D; ++b, ++p)
+          m_slots[e][p] = is_fixed(v[a]) || is_fixed(v[b]) ? 0 : m_matrix.slot(m_rows[v[a]], m_rows[v[b]]);
     });
   }
 
   Block_sparse_matrix& matrix() { return m_matrix; }
 
-  // Mean energy; +infinity when an element of a barrier energy is not positive.
-  double energy(const Reference& reference, const Positions<D>& x) const
+  // The unknowns among the positions.
+  void gather(const Positions<D>& x, Eigen::VectorXd& unknowns) const
   {
+    unknowns.resize(D * std::int64_t(m_number_of_unknowns));
+    for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
+      if(!is_fixed(v))
+        unknowns.template segment<D>(D * std::int64_t(m_rows[v])) = x.col(v);
+  }
+
+  // A displacement of all vertices from one of the unknowns.
+  void spread(const Eigen::VectorXd& unknowns, Positions<D>& displacement) const
+  {
+    displacement.resize(D, m_domain.number_of_vertices);
+    for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v) {
+      if(is_fixed(v))
+        displacement.col(v).setZero();
+      else
+        displacement.col(v) = unknowns.template segment<D>(D * std::int64_t(m_rows[v]));
+    }
+  }
+
+  // Mean energy of the elements and the terms; +infinity when an element of a barrier energy is not positive.
+  template <typename AnyReference>
+  double energy(const AnyReference& reference, const Positions<D>& x) const
+  {
+    return mean_energy(reference, x) + energy_of_terms(x);
+  }
+
+  template <typename AnyReference>
+  double mean_energy(const AnyReference& reference, const Positions<D>& x) const
+  {
+    const bool is_infinite = has_barrier(m_energy);
     return m_schedule.template sum<Tag>([&](std::int64_t e) {
       const Vector<D> s = signed_singular_values(Matrix<D>(m_domain.image_edges(e, x) * reference.rest_inverse(m_domain, e)));
-      if(Energy::has_barrier && !(s[D - 1] > 0))
+      if(is_infinite && !(s[D - 1] > 0))
         return std::numeric_limits<double>::infinity();
       return reference.weight(m_domain, e) * m_energy.template value<D>(s);
     });
   }
 
-  // Gradient, laid out like the positions, and, when asked, the matrix.
+  double energy_of_terms(const Positions<D>& x) const
+  {
+    double sum = 0;
+    for(const auto& term : m_terms)
+      sum += term->value(x);
+    return sum;
+  }
+
+  // The fraction of elements whose symmetric Dirichlet energy exceeds a bound; an element that is not positive does.
+  double distorted_fraction(const Positions<D>& x, double bound) const
+  {
+    const double number = m_schedule.template sum<Tag>([&](std::int64_t e) {
+      const Vector<D> s = signed_singular_values(m_domain.jacobian(e, x));
+      return s[D - 1] > 0 && Symmetric_dirichlet().value<D>(s) <= bound ? 0. : 1.;
+    });
+    return number / (std::max)(std::int64_t(1), m_domain.number_of_elements());
+  }
+
+  // Gradient in the unknowns and, when asked, the matrix.
   void derivatives(const Reference& reference, const Positions<D>& x, bool with_matrix, Eigen::VectorXd& gradient)
   {
-    gradient.setZero(x.size());
+    gradient.setZero(D * std::int64_t(m_number_of_unknowns));
     if(with_matrix)
       m_matrix.set_zero();
     m_schedule.template scatter<Tag>([&](std::int64_t e) {
@@ -93,17 +196,41 @@ public:
 
       // Column k: the gradient of vertex k+1's hat function, turned into the frame of V.
       const Matrix<D> hats = svd.V.transpose() * rest_inverse.transpose();
-      const Matrix<D> forces = svd.U * (weight * (state.gradient.asDiagonal() * hats));
-      const Element& v = m_domain.elements[e];
-      for(int k = 0; k < D; ++k) {
-        gradient.template segment<D>(D * std::int64_t(v[k + 1])) += forces.col(k);
-        gradient.template segment<D>(D * std::int64_t(v[0])) -= forces.col(k);
-      }
+      add_forces(e, svd.U * (weight * (state.gradient.asDiagonal() * hats)), gradient);
       if(with_matrix) {
         Increment_form<D> form;
         m_preconditioner.form(state, m_energy, form);
         scatter_form(e, weight, svd.U, hats, form);
       }
+    });
+    if(m_terms.empty())
+      return;
+    Positions<D> term_gradient = Positions<D>::Zero(D, m_domain.number_of_vertices);
+    Term_matrix<D> term_matrix(m_matrix, m_rows);
+    for(const auto& term : m_terms)
+      term->add_derivatives(x, term_gradient, with_matrix ? &term_matrix : nullptr);
+    Eigen::VectorXd unknowns;
+    gather(term_gradient, unknowns);
+    gradient += unknowns;
+  }
+
+  // The product of the preconditioner's matrix on all vertices, fixed or not, with a displacement of all vertices: its rows of unknowns.
+  // No matrix is formed. Terms do not enter.
+  void multiply(const Reference& reference, const Positions<D>& x, const Positions<D>& displacement, Eigen::VectorXd& product) const
+  {
+    product.setZero(D * std::int64_t(m_number_of_unknowns));
+    m_schedule.template scatter<Tag>([&](std::int64_t e) {
+      const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
+      Signed_svd<D> svd;
+      signed_svd(Matrix<D>(m_domain.image_edges(e, x) * rest_inverse), svd);
+      Element_state<D> state;
+      state.s = svd.s;
+      m_energy.template derivatives<D>(state.s, state.gradient, state.hessian);
+      Increment_form<D> form;
+      m_preconditioner.form(state, m_energy, form);
+      const Matrix<D> increment = svd.U.transpose() * m_domain.image_edges(e, displacement) * rest_inverse * svd.V;
+      add_forces(e, svd.U * (reference.weight(m_domain, e) * form.multiply(increment)) * svd.V.transpose() * rest_inverse.transpose(),
+                 product);
     });
   }
 
@@ -132,6 +259,8 @@ public:
 
     Vertex_relaxation<D, Energy> relaxation(m_energy);
     for(std::int32_t v : blocked) {
+      if(is_fixed(v))
+        continue;
       relaxation.clear();
       for(std::int64_t i = m_star_begin[v]; i < m_star_begin[v + 1]; ++i) {
         const std::int64_t e = m_stars[i];
@@ -166,6 +295,17 @@ public:
   }
 
 private:
+  // Column k of `forces` acts on vertex k+1 of the element, minus their sum on vertex 0.
+  void add_forces(std::int64_t e, const Matrix<D>& forces, Eigen::VectorXd& gradient) const
+  {
+    const Element& v = m_domain.elements[e];
+    for(int k = 0; k < D; ++k)
+      if(!is_fixed(v[k + 1]))
+        gradient.template segment<D>(D * std::int64_t(m_rows[v[k + 1]])) += forces.col(k);
+    if(!is_fixed(v[0]))
+      gradient.template segment<D>(D * std::int64_t(m_rows[v[0]])) -= forces.rowwise().sum();
+  }
+
   // The elements around each vertex.
   void build_stars()
   {
@@ -201,19 +341,44 @@ private:
     for(int k = 1; k <= D; ++k)
       blocks[0][0] -= blocks[0][k];
 
+    if(clamps_element_matrices(m_preconditioner))
+      clamp(blocks);
+
     const Element& v = m_domain.elements[e];
     int p = 0;
     for(int a = 0; a <= D; ++a) {
-      m_matrix.add_block(v[a], v[a], 0, blocks[a][a]);
-      for(int b = a + 1; b <= D; ++b)
-        m_matrix.add_block(v[a], v[b], m_slots[e][p++], blocks[a][b]);
+      const std::int32_t r = m_rows[v[a]];
+      if(r >= 0)
+        m_matrix.add_block(r, r, 0, blocks[a][a]);
+      for(int b = a + 1; b <= D; ++b, ++p)
+        if(r >= 0 && !is_fixed(v[b]))
+          m_matrix.add_block(r, m_rows[v[b]], m_slots[e][p], blocks[a][b]);
     }
+  }
+
+  // Projects the matrix of one element on the displacements of its vertices to the positive semidefinite ones.
+  static void clamp(std::array<std::array<Matrix<D>, D + 1>, D + 1>& blocks)
+  {
+    constexpr int SIZE = D * (D + 1);
+    Eigen::Matrix<double, SIZE, SIZE> matrix;
+    for(int a = 0; a <= D; ++a)
+      for(int b = a; b <= D; ++b) {
+        matrix.template block<D, D>(D * a, D * b) = blocks[a][b];
+        matrix.template block<D, D>(D * b, D * a) = blocks[a][b].transpose();
+      }
+    project_to_psd(matrix);
+    for(int a = 0; a <= D; ++a)
+      for(int b = a; b <= D; ++b)
+        blocks[a][b] = matrix.template block<D, D>(D * a, D * b);
   }
 
   const Simplicial_domain<D>& m_domain;
   const Energy& m_energy;
   const Preconditioner& m_preconditioner;
   Element_schedule m_schedule;
+  std::vector<std::int32_t> m_rows; // number of each vertex among the unknowns, -1 for a fixed one
+  std::int32_t m_number_of_unknowns = 0;
+  std::vector<std::shared_ptr<const Objective_term<D>>> m_terms;
   Block_sparse_matrix m_matrix;
   std::vector<std::array<std::int32_t, PAIRS>> m_slots;
   std::vector<std::int64_t> m_star_begin; // among m_stars, for each vertex

@@ -27,15 +27,31 @@ template <typename LinearSolver>
 class Robust_solver
 {
 public:
-  Robust_solver(LinearSolver& solver, Summary& summary) : m_solver(solver), m_summary(summary) {}
+  explicit Robust_solver(LinearSolver& solver) : m_solver(solver) {}
+
+  // Work is entered into `summary` from now on.
+  void set_summary(Summary& summary)
+  {
+    m_summary = &summary;
+    report();
+  }
 
   bool analyze_pattern(const Block_sparse_matrix& matrix)
   {
-    const Phase_timer timer(m_summary.seconds.analyze);
+    const Phase_timer timer(m_summary->seconds.analyze);
     if(!m_solver.analyze_pattern(matrix) && !analyze_fallback(matrix))
       return false;
     report();
     return true;
+  }
+
+  // Factorizes the matrix as it is, once.
+  bool try_to_factorize(const Block_sparse_matrix& matrix)
+  {
+    const Phase_timer timer(m_summary->seconds.factorize, &m_summary->factorize_cpu_seconds);
+    ++m_summary->factorizations;
+    m_fallback_is_current = false;
+    return m_solver.factorize(matrix);
   }
 
   // Adds `shift` times the diagonal and factorizes.
@@ -54,19 +70,19 @@ public:
 
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
-    const Phase_timer timer(m_summary.seconds.solve);
-    ++m_summary.linear_solves;
+    const Phase_timer timer(m_summary->seconds.solve);
+    ++m_summary->linear_solves;
     return m_fallback_is_current ? m_fallback->solve(b, x) : m_solver.solve(b, x);
   }
 
 private:
   void report()
   {
-    m_summary.linear_solver = m_solver.name();
-    m_summary.ordering = m_solver.ordering();
-    m_summary.factor_entries = m_solver.factor_entries();
+    m_summary->linear_solver = m_solver.name();
+    m_summary->ordering = m_solver.ordering();
+    m_summary->factor_entries = m_solver.factor_entries();
     if(m_fallback != nullptr)
-      m_summary.linear_solver += ", then " + m_fallback->name();
+      m_summary->linear_solver += ", then " + m_fallback->name();
   }
 
   bool analyze_fallback(const Block_sparse_matrix& matrix)
@@ -81,22 +97,17 @@ private:
 
   bool factorize_once(const Block_sparse_matrix& matrix)
   {
-    {
-      const Phase_timer timer(m_summary.seconds.factorize, &m_summary.factorize_cpu_seconds);
-      ++m_summary.factorizations;
-      m_fallback_is_current = false;
-      if(m_solver.factorize(matrix)) {
-        report();
-        return true;
-      }
+    if(try_to_factorize(matrix)) {
+      report();
+      return true;
     }
     {
-      const Phase_timer timer(m_summary.seconds.analyze);
+      const Phase_timer timer(m_summary->seconds.analyze);
       if(!analyze_fallback(matrix))
         return false;
     }
-    const Phase_timer timer(m_summary.seconds.factorize, &m_summary.factorize_cpu_seconds);
-    ++m_summary.factorizations;
+    const Phase_timer timer(m_summary->seconds.factorize, &m_summary->factorize_cpu_seconds);
+    ++m_summary->factorizations;
     m_fallback_is_current = m_fallback->factorize(matrix);
     report();
     return m_fallback_is_current;
@@ -109,7 +120,7 @@ private:
   }
 
   LinearSolver& m_solver;
-  Summary& m_summary;
+  Summary* m_summary = nullptr;
   std::unique_ptr<Eigen_simplicial_solver> m_fallback;
   bool m_fallback_is_current = false;
 };

@@ -35,6 +35,29 @@ struct Has_convex_hessian<Energy, D, std::void_t<decltype(std::declval<const Ene
                                        std::declval<Matrix<D>&>()))>>
   : std::true_type {};
 
+template <typename Energy, int D, typename = void>
+struct Has_composite_form : std::false_type {};
+
+template <typename Energy, int D>
+struct Has_composite_form<Energy, D, std::void_t<decltype(Energy::template has_composite_form<D>)>>
+  : std::bool_constant<Energy::template has_composite_form<D>> {};
+
+template <typename Energy, typename = void>
+struct Has_holds_barrier : std::false_type {};
+
+template <typename Energy>
+struct Has_holds_barrier<Energy, std::void_t<decltype(std::declval<const Energy&>().holds_barrier())>> : std::true_type {};
+
+// Whether the energy is infinite on elements that are not positive.
+template <typename Energy>
+bool has_barrier(const Energy& energy)
+{
+  if constexpr(Has_holds_barrier<Energy>::value)
+    return energy.holds_barrier();
+  else
+    return Energy::has_barrier;
+}
+
 template <int D, typename Energy>
 Vector<D> slim_target(const Energy& energy, const Vector<D>& s)
 {

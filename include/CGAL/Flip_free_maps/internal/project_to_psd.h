@@ -16,20 +16,24 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Sets the negative eigenvalues of a symmetric matrix to zero; matrices that are diagonally dominant with a positive diagonal,
-// the common case, are left as they are without computing eigenvalues.
-template <int D>
-void project_to_psd(Matrix<D>& matrix)
+// Replaces the eigenvalues of a symmetric matrix by their positive parts or, when `absolute`, by their absolute values. Matrices that
+// are diagonally dominant with a positive diagonal, the common case, are left as they are without computing eigenvalues.
+template <int N>
+void project_to_psd(Eigen::Matrix<double, N, N>& matrix, bool absolute = false)
 {
   bool dominant = true;
-  for(int i = 0; i < D; ++i)
+  for(int i = 0; i < N; ++i)
     dominant = dominant && 2 * matrix(i, i) >= matrix.row(i).cwiseAbs().sum();
   if(dominant)
     return;
-  Eigen::SelfAdjointEigenSolver<Matrix<D>> eigen;
-  eigen.computeDirect(matrix);
-  const Vector<D> clamped = eigen.eigenvalues().cwiseMax(0);
-  matrix = eigen.eigenvectors() * clamped.asDiagonal() * eigen.eigenvectors().transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen;
+  if constexpr(N <= 3)
+    eigen.computeDirect(matrix);
+  else
+    eigen.compute(matrix);
+  Eigen::Matrix<double, N, 1> values = eigen.eigenvalues();
+  values = values.cwiseMax(absolute ? Eigen::Matrix<double, N, 1>(-values) : Eigen::Matrix<double, N, 1>::Zero());
+  matrix = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
 } // namespace internal

@@ -30,23 +30,35 @@ public:
   /// Type of column starts and row indices: 64 bits, since factors of large meshes have more than 2^31 entries.
   using Index = std::int64_t;
 
-  /// Builds the pattern in which the vertices of each stencil are pairwise adjacent, with all entries zero.
+  /// Builds the pattern in which the vertices of each stencil are pairwise adjacent, with all entries zero. Negative numbers stand for
+  /// vertices that are no unknowns, and are passed over.
   /// \tparam Stencils a range of arrays of vertex numbers
   template <typename Stencils>
   void build_pattern(std::int32_t number_of_vertices, int block_size, const Stencils& stencils)
+  {
+    build_pattern(number_of_vertices, block_size, stencils, std::vector<std::vector<std::int32_t>>());
+  }
+
+  /// The same for the stencils of both ranges.
+  template <typename Stencils, typename OtherStencils>
+  void build_pattern(std::int32_t number_of_vertices, int block_size, const Stencils& stencils, const OtherStencils& other_stencils)
   {
     m_block_size = block_size;
     const std::size_t n = number_of_vertices;
 
     // A counting sort of all pairs (smaller, larger), then each vertex' larger neighbours sorted and made unique.
     std::vector<Index> begin(n + 1, 0);
-    for_each_pair(stencils, [&](std::int32_t low, std::int32_t) { ++begin[low + 1]; });
+    const auto count = [&](std::int32_t low, std::int32_t) { ++begin[low + 1]; };
+    for_each_pair(stencils, count);
+    for_each_pair(other_stencils, count);
     for(std::size_t v = 0; v < n; ++v)
       begin[v + 1] += begin[v];
     std::vector<std::int32_t> neighbors(begin[n]);
     {
       std::vector<Index> next(begin.begin(), begin.end() - 1);
-      for_each_pair(stencils, [&](std::int32_t low, std::int32_t high) { neighbors[next[low]++] = high; });
+      const auto enter = [&](std::int32_t low, std::int32_t high) { neighbors[next[low]++] = high; };
+      for_each_pair(stencils, enter);
+      for_each_pair(other_stencils, enter);
     }
     m_block_columns.assign(n + 1, 0);
     m_block_rows.clear();
@@ -153,7 +165,8 @@ private:
     for(const auto& stencil : stencils)
       for(std::size_t a = 0; a < stencil.size(); ++a)
         for(std::size_t b = a + 1; b < stencil.size(); ++b)
-          f((std::min)(stencil[a], stencil[b]), (std::max)(stencil[a], stencil[b]));
+          if(stencil[a] >= 0 && stencil[b] >= 0 && stencil[a] != stencil[b])
+            f((std::min)(stencil[a], stencil[b]), (std::max)(stencil[a], stencil[b]));
   }
 
   int m_block_size = 0;

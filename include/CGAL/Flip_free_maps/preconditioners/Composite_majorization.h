@@ -27,7 +27,8 @@ namespace Flip_free_maps {
 ///
 /// \tparam gather_terms whether equation (18) or (17) is used
 ///
-/// The energy must be a model of `ConvexConcaveEnergy`. D = 2 only.
+/// The energy must be a model of `ConvexConcaveEnergy`, or have a member function `bool composite_form<2>(state, form)` that writes the
+/// majorizer of another composition, as `Neo_hookean` does with the help of `composite_majorizer()`. D = 2 only.
 ///
 /// \cgalModels{Preconditioner}
 template <bool gather_terms = true>
@@ -41,9 +42,21 @@ struct Composite_majorization
   template <int D, typename Energy>
   void form(const Element_state<D>& state, const Energy& energy, Increment_form<D>& form) const
   {
-    static_assert(D == 2, "composite majorization of singular values is a method of the plane");
-    static_assert(internal::Has_convex_hessian<Energy, D>::value,
-                  "composite majorization needs an energy with a convex part: a model of ConvexConcaveEnergy");
+    static_assert(D == 2, "composite majorization is a method of the plane");
+    static_assert(internal::Has_convex_hessian<Energy, D>::value || internal::Has_composite_form<Energy, D>::value,
+                  "composite majorization needs an energy with a convex part, a model of ConvexConcaveEnergy, or one with composite_form()");
+    if constexpr(internal::Has_composite_form<Energy, D>::value)
+      if(energy.template composite_form<D>(state, form))
+        return;
+    if constexpr(internal::Has_convex_hessian<Energy, D>::value)
+      majorize(state, energy, form);
+  }
+
+private:
+  // Equations (17) and (18).
+  template <int D, typename Energy>
+  static void majorize(const Element_state<D>& state, const Energy& energy, Increment_form<D>& form)
+  {
     energy.template convex_hessian<D>(state.s, state.hessian, form.stretch);
     const double h_0 = state.gradient[0], h_1 = state.gradient[1];
     double symmetric = (std::max)(internal::symmetric_mode(state, 0, 1), 0.);

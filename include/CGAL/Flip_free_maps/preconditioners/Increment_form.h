@@ -77,6 +77,19 @@ struct Increment_form
   internal::Matrix<D> stretch;               ///< acts on the diagonal of K
   std::array<Pair, number_of_pairs> pairs{}; ///< act on the pairs of off-diagonal entries of K
 
+  /// The form's matrix times the increment K.
+  internal::Matrix<D> multiply(const internal::Matrix<D>& K) const
+  {
+    internal::Matrix<D> m = internal::Matrix<D>::Zero();
+    m.diagonal() = stretch * K.diagonal();
+    internal::for_each_pair<D>([&](int p, int i, int j) {
+      const Pair& pair = pairs[p];
+      m(i, j) = pair.ij_ij * K(i, j) + pair.ij_ji * K(j, i);
+      m(j, i) = pair.ij_ji * K(i, j) + pair.ji_ji * K(j, i);
+    });
+    return m;
+  }
+
   /// The D x D matrix M with y^T M z the form's bilinear value on K = y h^T and K = z g^T. A displacement of a vertex changes K by the
   /// displacement, turned by U^T, times the gradient of its hat function, turned by V^T; so this is the block of two vertices, in the
   /// frame of U, with the turned gradients h and g.

@@ -8,8 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_PROJECTED_NEWTON_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_PROJECTED_NEWTON_H
 
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
 #include <CGAL/Flip_free_maps/internal/project_to_psd.h>
+#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,18 +30,35 @@ double symmetric_mode(const Element_state<D>& state, int i, int j)
   return 0.5 * (state.hessian(i, i) + state.hessian(j, j)) - state.hessian(i, j);
 }
 
+// Eigenvalue of the twist mode of a pair, with its limit at opposite singular values, which only flipped elements have.
 template <int D>
 double twist_mode(const Element_state<D>& state, int i, int j)
 {
-  return (state.gradient[i] + state.gradient[j]) / (state.s[i] + state.s[j]);
+  const double sum = state.s[i] + state.s[j];
+  if(std::abs(sum) > 1e-6 * (std::abs(state.s[i]) + std::abs(state.s[j])))
+    return (state.gradient[i] + state.gradient[j]) / sum;
+  return 0.5 * (state.hessian(i, i) + state.hessian(j, j)) + state.hessian(i, j);
 }
 
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
+/// What becomes of negative eigenvalues of an element's Hessian.
+enum class Eigenvalue_filter
+{
+  clamp,       ///< they are set to 0
+  absolute,    ///< they change their sign (Chen et al. 2024, Stabler Neo-Hookean simulation)
+  trust_region ///< either, as the last step tells (Chen et al. 2024, Trust-region eigenvalue filtering)
+};
+
+/// \ingroup PkgFlipFreeMapsPreconditioners
 /// The Hessian of the energy, projected to the positive semidefinite matrices element by element with the analytic eigensystem of
 /// isotropic energies (Smith, de Goes and Kim 2019): the stretch block [psi_ij], the symmetric modes
-/// (psi_i - psi_j) / (s_i - s_j) and the twist modes (psi_i + psi_j) / (s_i + s_j), negative eigenvalues set to zero.
+/// (psi_i - psi_j) / (s_i - s_j) and the twist modes (psi_i + psi_j) / (s_i + s_j), with negative eigenvalues filtered.
+///
+/// Clamping is best near the optimum; absolute values are more careful where the energy is far from convex. With
+/// `Eigenvalue_filter::trust_region` eigenvalues are clamped as long as the last decrease of the energy was within `trust_tolerance`
+/// of the decrease that the quadratic model predicted, relative to the latter, and their absolute values are taken otherwise.
 ///
 /// \cgalModels{Preconditioner}
 struct Projected_newton
@@ -49,17 +67,30 @@ struct Projected_newton
   static constexpr bool is_second_order = true; ///< full steps are natural
   static const char* name() { return "newton"; } ///< "newton"
 
+  Eigenvalue_filter filter = Eigenvalue_filter::clamp; ///< of negative eigenvalues
+  double trust_tolerance = 0.01;                       ///< used by `Eigenvalue_filter::trust_region`
+
+  /// Chooses between clamping and absolute values.
+  void begin_iteration(const Run_state& state)
+  {
+    m_takes_absolute_values = filter == Eigenvalue_filter::absolute ||
+                              (filter == Eigenvalue_filter::trust_region && std::abs(state.model_ratio - 1) > trust_tolerance);
+  }
+
   /// Writes the form for one element.
   template <int D, typename Energy>
   void form(const Element_state<D>& state, const Energy& /* energy */, Increment_form<D>& form) const
   {
+    const auto filtered = [this](double mode) { return m_takes_absolute_values ? std::abs(mode) : (std::max)(mode, 0.); };
     form.stretch = state.hessian;
-    internal::project_to_psd(form.stretch);
+    internal::project_to_psd(form.stretch, m_takes_absolute_values);
     internal::for_each_pair<D>([&](int p, int i, int j) {
-      form.pairs[p].set_modes((std::max)(internal::symmetric_mode(state, i, j), 0.),
-                              (std::max)(internal::twist_mode(state, i, j), 0.));
+      form.pairs[p].set_modes(filtered(internal::symmetric_mode(state, i, j)), filtered(internal::twist_mode(state, i, j)));
     });
   }
+
+private:
+  bool m_takes_absolute_values = false;
 };
 
 } // namespace Flip_free_maps

@@ -22,12 +22,18 @@ struct Fixed_reference
   /// "fixed"
   static const char* name() { return "fixed"; }
 
+  /// Begins a new run.
+  void restart() {}
+
   /// Moves on to the reference of the next iteration, given the map so far. Returns whether this reference is the rest shape.
   template <int D>
   bool update(const Simplicial_domain<D>& /* domain */, const Positions<D>& /* x */)
   {
     return true;
   }
+
+  /// Relative decrease of the reference's own measure of distortion; of no interest for the rest shape.
+  double relative_decrease() const { return 0; }
 
   /// Inverse of the reference's edge matrix of element `e`.
   template <int D>

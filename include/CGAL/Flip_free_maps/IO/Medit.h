@@ -1,0 +1,232 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_IO_MEDIT_H
+#define CGAL_FLIP_FREE_MAPS_IO_MEDIT_H
+
+#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
+#include <CGAL/Flip_free_maps/IO/internal/Word_reader.h>
+#include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+class Medit_reader
+{
+public:
+  // Returns the empty string, or what is wrong with the file.
+  std::string read(std::string_view text)
+  {
+    Word_reader reader(text);
+    if(reader.word() != "MeshVersionFormatted")
+      return "line " + std::to_string(reader.line()) + ": the file does not begin with 'MeshVersionFormatted'";
+    while(!reader.at_end() && reader.word() != "End")
+      if(!read_section(reader))
+        return reader.error();
+    if(!m_has_points)
+      return "the file has no section 'Vertices'";
+    // A section may precede the points that it uses.
+    std::string error = index_error("tetrahedron", m_mesh.tetrahedra, m_mesh.points.size());
+    if(error.empty())
+      error = index_error("triangle", m_mesh.triangles, m_mesh.points.size());
+    return error;
+  }
+
+  Tetrahedral_mesh& mesh() { return m_mesh; }
+
+private:
+  bool read_section(Word_reader& reader)
+  {
+    const std::string_view keyword = reader.word();
+    const long long line = reader.line();
+    if(keyword == "Dimension")
+    {
+      m_is_skipping = false;
+      reader.skip_word();
+      long long dimension = 0;
+      if(!reader.read_integer(dimension))
+        return false;
+      return dimension == 3 || reader.fail_at(line, "the dimension is " + std::to_string(dimension) + ", not 3");
+    }
+    if(keyword == "Vertices")
+    {
+      if(m_has_points)
+        return reader.fail_at(line, "a second section 'Vertices'");
+      m_has_points = true;
+      m_is_skipping = false;
+      reader.skip_word();
+      return read_points(reader);
+    }
+    if(keyword == "Tetrahedra" || keyword == "Triangles")
+    {
+      m_is_skipping = false;
+      reader.skip_word();
+      return keyword == "Tetrahedra" ? read_elements(reader, m_mesh.tetrahedra) : read_elements(reader, m_mesh.triangles);
+    }
+    // Other sections are skipped word by word, since no number is a keyword.
+    const bool is_keyword = std::isalpha(static_cast<unsigned char>(keyword.front())) != 0;
+    if(!is_keyword && !m_is_skipping)
+      return reader.fail_here("found " + quoted_word(keyword) + " where a section begins; the section before has more items than it says");
+    m_is_skipping = true;
+    reader.skip_word();
+    return true;
+  }
+
+  bool read_points(Word_reader& reader)
+  {
+    std::size_t count = 0;
+    if(!reader.read_count(count))
+      return false;
+    m_mesh.points.reserve((std::min)(count, reader.possible_items(3)));
+    for(std::size_t i = 0; i < count; ++i)
+    {
+      std::array<double, 3> point;
+      for(double& coordinate : point)
+        if(!reader.read_finite(coordinate))
+          return false;
+      m_mesh.points.push_back(point);
+      if(!skip_reference(reader))
+        return false;
+    }
+    return true;
+  }
+
+  template <std::size_t N>
+  bool read_elements(Word_reader& reader, std::vector<std::array<int, N> >& elements)
+  {
+    std::size_t count = 0;
+    if(!reader.read_count(count))
+      return false;
+    elements.reserve(elements.size() + (std::min)(count, reader.possible_items(N)));
+    for(std::size_t i = 0; i < count; ++i)
+    {
+      std::array<int, N> element;
+      for(int& index : element)
+      {
+        long long value = 0;
+        const long long line = reader.line();
+        if(!reader.read_integer(value))
+          return false;
+        const long long largest = m_has_points ? static_cast<long long>(m_mesh.points.size()) : (std::numeric_limits<int>::max)();
+        if(value < 1 || value > largest)
+          return reader.fail_at(line, "vertex index " + std::to_string(value) + " is not from 1 to " + std::to_string(largest));
+        index = static_cast<int>(value - 1);
+      }
+      elements.push_back(element);
+      if(!skip_reference(reader))
+        return false;
+    }
+    return true;
+  }
+
+  // Some programs leave the reference out; then the next word begins a new line.
+  static bool skip_reference(Word_reader& reader)
+  {
+    double ignored = 0;
+    return !reader.is_line_continued() || reader.read_finite(ignored);
+  }
+
+  Tetrahedral_mesh m_mesh;
+  bool m_has_points = false;
+  bool m_is_skipping = true; // the number of the version follows the first word
+};
+
+} // namespace internal
+
+/*!
+  \ingroup PkgFlipFreeMapsIO
+
+  reads points, tetrahedra and triangles from a Medit file in ASCII (`.mesh`, dimension 3).
+
+  References of entities may be missing. Comments, all other sections, and whatever follows `End` are ignored; the line
+  ends of all systems are understood. The locale has no influence. The cost is linear in the size of the file.
+
+  \param path name of the file
+  \param mesh receives the mesh; it is not changed if the file cannot be read
+  \param message if not null, receives the reason of a failure with the number of the line, and the empty string on success
+
+  \returns `false` if the file cannot be opened, is not a Medit file in ASCII, ends within a section, or has a coordinate that is
+           not a finite number or an index that is out of range. A file without tetrahedra is read without complaint.
+*/
+inline bool read_Medit(const std::string& path, Tetrahedral_mesh& mesh, std::string* message = nullptr)
+{
+  std::string text;
+  if(!internal::read_whole_file(path, text, message))
+    return false;
+  internal::Medit_reader reader;
+  const std::string error = reader.read(text);
+  if(!error.empty())
+    return internal::fail(message, "cannot read " + path + ": " + error);
+  mesh = std::move(reader.mesh());
+  if(message != nullptr)
+    message->clear();
+  return true;
+}
+
+/*!
+  \ingroup PkgFlipFreeMapsIO
+
+  writes a tetrahedral mesh as a Medit file in ASCII. References are 0 for points and 1 for triangles and tetrahedra.
+
+  Numbers are written with as many digits (up to 17) as it takes to read back exactly the same doubles. The cost is linear.
+
+  \param path name of the file; an existing file is replaced
+  \param mesh the mesh; its coordinates must be finite and its indices valid
+  \param message if not null, receives the reason of a failure, and the empty string on success
+
+  \returns `true` if the file was written. An invalid mesh is refused before the file is touched.
+*/
+inline bool write_Medit(const std::string& path, const Tetrahedral_mesh& mesh, std::string* message = nullptr)
+{
+  const std::string error = internal::tetrahedral_mesh_error(mesh);
+  if(!error.empty())
+    return internal::fail(message, "cannot write " + path + ": " + error);
+
+  std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n" + std::to_string(mesh.points.size()) + '\n';
+  for(const std::array<double, 3>& point : mesh.points)
+  {
+    internal::append_coordinates(text, point);
+    text += " 0\n";
+  }
+  const auto append_section = [&text](const char* keyword, const auto& elements)
+  {
+    if(elements.empty())
+      return;
+    text += std::string(keyword) + '\n' + std::to_string(elements.size()) + '\n';
+    for(const auto& element : elements)
+    {
+      internal::append_numbers(text, element, 1);
+      text += " 1\n";
+    }
+  };
+  append_section("Triangles", mesh.triangles);
+  append_section("Tetrahedra", mesh.tetrahedra);
+  text += "End\n";
+  if(!internal::write_whole_file(path, text, message))
+    return false;
+  if(message != nullptr)
+    message->clear();
+  return true;
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_IO_MEDIT_H

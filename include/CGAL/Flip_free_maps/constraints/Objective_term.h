@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_CONSTRAINTS_OBJECTIVE_TERM_H
+#define CGAL_FLIP_FREE_MAPS_CONSTRAINTS_OBJECTIVE_TERM_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsConstraints
+/// Where an `Objective_term` enters its part of the matrix. Blocks of fixed vertices, which are no unknowns, are left out.
+template <int D>
+class Term_matrix
+{
+public:
+  /// Enters into `matrix`, in which vertex v has the block of rows number `rows[v]`, none if that is negative.
+  Term_matrix(Block_sparse_matrix& matrix, const std::vector<std::int32_t>& rows) : m_matrix(matrix), m_rows(rows) {}
+
+  /// Adds `block(i, j)` to row i of vertex v and column j of vertex w, and, if v and w differ, its transpose to the mirrored block. The
+  /// two must be of one stencil of the term.
+  void add(std::int32_t v, std::int32_t w, const internal::Matrix<D>& block)
+  {
+    const std::int32_t r = m_rows[v], c = m_rows[w];
+    if(r >= 0 && c >= 0)
+      m_matrix.add_block(r, c, r == c ? 0 : m_matrix.slot(r, c), block);
+  }
+
+private:
+  Block_sparse_matrix& m_matrix;
+  const std::vector<std::int32_t>& m_rows;
+};
+
+/// \ingroup PkgFlipFreeMapsConstraints
+/// A term that is minimised along with the mean energy of the elements: the base class of soft constraints. A term is a function of
+/// the positions of the vertices, in the domain's units.
+template <int D>
+class Objective_term
+{
+public:
+  virtual ~Objective_term() = default;
+
+  /// Whether the term does not change when the whole map is translated or rotated.
+  virtual bool is_rigid_motion_invariant() const { return false; }
+
+  /// The groups of vertices whose blocks the term's matrix couples; single vertices need not be listed.
+  virtual std::vector<std::vector<std::int32_t>> stencils() const { return {}; }
+
+  /// Its value.
+  virtual double value(const Positions<D>& x) const = 0;
+
+  /// Adds its gradient to `gradient` and, unless `matrix` is null, a positive semidefinite approximation of its Hessian to `*matrix`.
+  virtual void add_derivatives(const Positions<D>& x, Positions<D>& gradient, Term_matrix<D>* matrix) const = 0;
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_CONSTRAINTS_OBJECTIVE_TERM_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_ANY_LINEAR_SOLVER_H
+#define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_ANY_LINEAR_SOLVER_H
+
+#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsLinearSolvers
+/// A linear solver that is chosen at run time. It can be moved, not copied.
+///
+/// \cgalModels{SymmetricSparseSolver}
+class Any_linear_solver
+{
+public:
+  /// Holds a new solver of the given type: `Any_linear_solver::make<Eigen_simplicial_solver>()`.
+  template <typename Solver>
+  static Any_linear_solver make()
+  {
+    return Any_linear_solver(std::make_unique<Model<Solver>>());
+  }
+
+  /// Passed on.
+  std::string name() const { return m_solver->name(); }
+  /// Passed on.
+  std::string ordering() const { return m_solver->ordering(); }
+  /// Passed on.
+  bool analyze_pattern(const Block_sparse_matrix& matrix) { return m_solver->analyze_pattern(matrix); }
+  /// Passed on.
+  bool factorize(const Block_sparse_matrix& matrix) { return m_solver->factorize(matrix); }
+  /// Passed on.
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) { return m_solver->solve(b, x); }
+  /// Passed on.
+  std::int64_t factor_entries() const { return m_solver->factor_entries(); }
+
+private:
+  struct Base
+  {
+    virtual ~Base() = default;
+    virtual std::string name() const = 0;
+    virtual std::string ordering() const = 0;
+    virtual bool analyze_pattern(const Block_sparse_matrix& matrix) = 0;
+    virtual bool factorize(const Block_sparse_matrix& matrix) = 0;
+    virtual bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
+    virtual std::int64_t factor_entries() const = 0;
+  };
+
+  template <typename Solver>
+  struct Model final : Base
+  {
+    std::string name() const override { return solver.name(); }
+    std::string ordering() const override { return solver.ordering(); }
+    bool analyze_pattern(const Block_sparse_matrix& matrix) override { return solver.analyze_pattern(matrix); }
+    bool factorize(const Block_sparse_matrix& matrix) override { return solver.factorize(matrix); }
+    bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) override { return solver.solve(b, x); }
+    std::int64_t factor_entries() const override { return solver.factor_entries(); }
+
+    Solver solver;
+  };
+
+  explicit Any_linear_solver(std::unique_ptr<Base> solver) : m_solver(std::move(solver)) {}
+
+  std::unique_ptr<Base> m_solver;
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_ANY_LINEAR_SOLVER_H

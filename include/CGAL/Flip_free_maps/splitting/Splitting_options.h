@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_OPTIONS_H
+#define CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_OPTIONS_H
+
+#include <CGAL/Flip_free_maps/Map_options.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsSplitting
+/// What an observer of a splitting run is told after every iteration, and once before the first. The `energy` is that of the map if no
+/// element is flipped and infinite otherwise; gradient norms, `step` and `largest_step` are not used.
+struct Splitting_report : Iteration_report
+{
+  double primal_error = 0; ///< how far the Jacobians are from their split factors
+  double dual_error = 0;   ///< how much the Jacobians moved, times the penalties
+};
+
+/// \ingroup PkgFlipFreeMapsSplitting
+/// When rotations are kept close to those of the iteration before.
+enum class Proximal_rotation
+{
+  automatic, ///< unless the start has many flipped elements
+  on,        ///< always
+  off        ///< never
+};
+
+/// \ingroup PkgFlipFreeMapsSplitting
+/// Settings of `Splitting_minimizer`. Lengths are measured on the mesh scaled to total measure 1, so settings mean the same on every
+/// input.
+struct Splitting_options
+{
+  /// The run converges when no element is flipped and both errors, root mean squares over the measure of the mesh, are at most
+  /// this plus `relative_tolerance` times the root mean square of what they are errors of: the Jacobians, and the dual variables.
+  double absolute_tolerance = 1e-6;
+  /// See `absolute_tolerance`.
+  double relative_tolerance = 1e-5;
+  /// Stop when no element is flipped and the mean energy of the map is at most this (off by default).
+  double target_energy = -std::numeric_limits<double>::infinity();
+  /// Stop at the first iterate without flipped elements; the start counts.
+  bool stop_when_flip_free = false;
+  /// Stop after this many iterations.
+  int max_iterations = 5000;
+  /// Stop after this many seconds of wall-clock time.
+  double max_seconds = std::numeric_limits<double>::infinity();
+
+  /// The factor by which the penalty of an element changes, above 1.
+  double penalty_factor = 2.5;
+  /// The penalty of an element changes when one of its errors exceeds the other by this factor, at least 1.
+  double penalty_ratio = 5;
+  /// Penalties are adapted, and the matrix is factorized again, after each of this many first iterations,
+  int first_adaptations = 5;
+  /// then after this many more, and after intervals that double each time.
+  int adaptation_interval = 5;
+  /// Whether rotations are kept close to those of the iteration before.
+  Proximal_rotation proximal_rotation = Proximal_rotation::automatic;
+
+  /// Hand the map to `Map_minimizer` as soon as the splitting ends without flipped elements.
+  bool polish = false;
+
+  /// Called before the first and after every iteration; returning `false` stops the run.
+  std::function<bool(const Splitting_report&)> observer;
+
+  /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
+  bool is_valid(std::string* message = nullptr) const
+  {
+    const auto fail = [message](const char* text) {
+      if(message != nullptr)
+        *message = text;
+      return false;
+    };
+    const auto is_tolerance = [](double value) { return value >= 0 && std::isfinite(value); };
+    if(!is_tolerance(absolute_tolerance) || !is_tolerance(relative_tolerance))
+      return fail("tolerances must be finite and not negative");
+    if(std::isnan(target_energy))
+      return fail("target_energy must not be NaN");
+    if(max_iterations < 0)
+      return fail("max_iterations must not be negative");
+    if(!(max_seconds >= 0))
+      return fail("max_seconds must not be negative");
+    if(!(penalty_factor > 1) || !std::isfinite(penalty_factor))
+      return fail("penalty_factor must be finite and above 1");
+    if(!(penalty_ratio >= 1) || !std::isfinite(penalty_ratio))
+      return fail("penalty_ratio must be finite and at least 1");
+    if(first_adaptations < 0)
+      return fail("first_adaptations must not be negative");
+    if(adaptation_interval < 1)
+      return fail("adaptation_interval must be at least 1");
+    return true;
+  }
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_OPTIONS_H
