@@ -104,6 +104,7 @@ public:
       acceleration = defaults.acceleration;
       refactorization_rule = defaults.refactorization_rule;
       start.multilevel_size = defaults.start.multilevel_size;
+      options.begin_with_largest_step = defaults.options.begin_with_largest_step;
       use_fixed_reference();
       return true;
     }
@@ -115,6 +116,7 @@ public:
     acceleration = name == "aqp" ? Any_acceleration(Nesterov()) : Any_acceleration(No_acceleration());
     refactorization_rule = Every_iteration();
     start.multilevel_size = -1;
+    options.begin_with_largest_step = true;
     if(is_progressive)
       use_progressive_reference();
     else

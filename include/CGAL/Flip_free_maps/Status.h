@@ -35,7 +35,9 @@ enum class Status
   result_not_representable,///< flip-free in double precision, but not after conversion to the number type of the result
   invalid_option,          ///< an option is out of its range
   file_error,              ///< a file could not be read or written
-  out_of_memory            ///< memory was exhausted
+  out_of_memory,           ///< memory was exhausted
+  not_planar,              ///< the rest shape of a planar deformation does not lie in a plane z = const
+  flips_remain             ///< no map without flipped elements was found from the given one
 };
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -63,6 +65,8 @@ inline const char* status_name(Status status)
   case Status::invalid_option: return "invalid_option";
   case Status::file_error: return "file_error";
   case Status::out_of_memory: return "out_of_memory";
+  case Status::not_planar: return "not_planar";
+  case Status::flips_remain: return "flips_remain";
   }
   return "unknown";
 }

@@ -11,9 +11,15 @@
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/internal/flatten.h>
 #include <CGAL/Flip_free_maps/internal/make_start.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <type_traits>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -45,6 +51,31 @@ namespace Flip_free_maps {
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{`Map_options::max_iterations`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{the vertices that keep the positions that they have in the start, exactly if a start is given}
+///     \cgalParamType{a model of `ReadablePropertyMap` with vertex descriptors as keys and `bool` as values}
+///     \cgalParamDefault{no vertex is fixed}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::start_map}
+///     \cgalParamDescription{the map to begin with, without flipped triangles, in the units of the surface}
+///     \cgalParamType{a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values}
+///     \cgalParamDefault{a start is computed as `Traits::start` says}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::border_is_fixed}
+///     \cgalParamDescription{whether the border keeps the shape that it has in the start, be it convex or not}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::face_weight_map}
+///     \cgalParamDescription{positive weights by which the areas of faces are multiplied in the mean energy}
+///     \cgalParamType{a model of `ReadablePropertyMap` with face descriptors as keys and numbers as values}
+///     \cgalParamDefault{all weights are 1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::soft_positions}
+///     \cgalParamDescription{places that vertices are pulled to, with weights, see there}
+///     \cgalParamType{a range of `std::tuple<vertex_descriptor, Point_2, double>`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns how it ended and what it cost; `Summary::is_valid()` tells whether `uv_map` was written. Bad input gives a status and a
@@ -54,21 +85,66 @@ namespace Flip_free_maps {
 ///
 /// Complexity: linear in the number of faces except for one sparse factorization per iteration; memory is that of the factor and
 /// some hundred bytes per face.
-template <typename TriangleMesh, typename VertexUVMap, typename Traits, typename NamedParameters = parameters::Default_named_parameters>
+template <typename TriangleMesh, typename VertexUVMap, typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
                      VertexUVMap uv_map, const Traits& traits, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   const auto vertex_points =
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
   Traits used = traits;
   used.options.max_iterations = static_cast<int>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), used.options.max_iterations));
-  const auto start = [&](const Simplicial_domain<2>& domain, const auto&, Positions<2>& x, std::string& name, std::string& message) {
-    return internal::make_start(domain, used, x, name, message);
+
+  constexpr bool IS_START_GIVEN = internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value;
+  const auto given = [&np](auto v, auto& p) {
+    if constexpr(IS_START_GIVEN) {
+      const auto& q = get(get_parameter(np, internal::start_map_tag), v);
+      p << CGAL::to_double(q[0]), CGAL::to_double(q[1]);
+    }
+    static_cast<void>(v);
+    static_cast<void>(p);
+    return IS_START_GIVEN;
   };
-  return internal::flatten(mesh, border_halfedge, vertex_points, uv_map, used, start);
+  const auto start = [&](const Simplicial_domain<2>& domain, const auto& vertices, Positions<2>& x, std::string& name,
+                         std::string& message) {
+    if(!IS_START_GIVEN)
+      return internal::make_start(domain, used, x, name, message);
+    name = "given";
+    x.resize(2, domain.number_of_vertices);
+    for(std::int32_t v = 0; v < domain.number_of_vertices; ++v) {
+      internal::Vector<2> p = internal::Vector<2>::Zero();
+      given(vertices[v], p);
+      x.col(v) = p / domain.scale;
+    }
+    return Status::success;
+  };
+  const auto constrain = [&](auto& graph, Position_constraints<2>& constraints, std::string& message) {
+    if constexpr(internal::Has_parameter<NamedParameters, CGAL::internal_np::vertex_is_constrained_t>::value) {
+      const auto is_fixed = get_parameter(np, CGAL::internal_np::vertex_is_constrained);
+      for(std::int32_t v = 0; v < graph.domain().number_of_vertices; ++v)
+        if(get(is_fixed, graph.vertices()[v]))
+          constraints.fixed_vertices.push_back(v);
+    }
+    if(choose_parameter(get_parameter(np, internal::border_is_fixed_tag), false))
+      constraints.fixed_vertices.insert(constraints.fixed_vertices.end(), graph.domain().border.begin(), graph.domain().border.end());
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Soft_positions_tag>::value)
+      for(const auto& soft : get_parameter(np, internal::soft_positions_tag)) {
+        const auto& p = std::get<1>(soft);
+        constraints.soft_positions.push_back(
+          {graph.number_of(std::get<0>(soft)),
+           internal::Vector<2>(CGAL::to_double(p[0]), CGAL::to_double(p[1])) / graph.domain().scale, std::get<2>(soft)});
+      }
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Face_weight_map_tag>::value)
+      if(!graph.weigh(get_parameter(np, internal::face_weight_map_tag))) {
+        message = "the weights of faces must be positive and finite";
+        return Status::invalid_option;
+      }
+    static_cast<void>(message);
+    return Status::success;
+  };
+  return internal::flatten(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -77,7 +153,7 @@ template <typename TriangleMesh, typename VertexUVMap, typename Traits>
 Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
                      VertexUVMap uv_map, const Traits& traits)
 {
-  return parameterize(mesh, border_halfedge, uv_map, traits, parameters::default_values());
+  return parameterize(mesh, border_halfedge, uv_map, traits, CGAL::parameters::default_values());
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -95,7 +171,7 @@ template <typename TriangleMesh, typename VertexUVMap>
 Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
                      VertexUVMap uv_map)
 {
-  return parameterize(mesh, border_halfedge, uv_map, Flip_free_map_traits<>(), parameters::default_values());
+  return parameterize(mesh, border_halfedge, uv_map, Flip_free_map_traits<>(), CGAL::parameters::default_values());
 }
 
 } // namespace Flip_free_maps

@@ -86,6 +86,86 @@ public:
     return status;
   }
 
+  /// Reads a planar mesh, all of it, which must be connected, and may have any number of borders.
+  ///
+  /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and points in the plane, or points in
+  ///   space with the same third coordinate, as values
+  /// \param mesh a triangle mesh, counterclockwise in the plane
+  /// \param vertex_points its points
+  /// \param x receives the positions of the vertices, in the domain's units
+  /// \param message what is wrong
+  /// \returns as `load()`, or `several_components` or `not_planar`; a mesh with clockwise triangles gives `start_not_flip_free`
+  template <typename VertexPointMap>
+  Status load_planar(const TriangleMesh& mesh, const VertexPointMap& vertex_points, Positions<2>& x, std::string& message)
+  {
+    m_domain = Simplicial_domain<2>();
+    m_vertices.clear();
+    if(faces(mesh).begin() == faces(mesh).end()) {
+      message = "the mesh has no faces";
+      return Status::empty_mesh;
+    }
+    Status status = walk(mesh, *faces(mesh).begin(), message);
+    if(status != Status::success)
+      return status;
+    std::size_t number_of_faces = 0;
+    for(const face_descriptor f : faces(mesh)) {
+      static_cast<void>(f);
+      ++number_of_faces;
+    }
+    if(number_of_faces != m_faces.size()) {
+      message = "the mesh has several components";
+      return Status::several_components;
+    }
+    if(has_pinched_vertex(mesh)) {
+      message = "several sheets of the surface meet at a vertex";
+      return Status::non_manifold;
+    }
+    status = measure(mesh, vertex_points, message);
+    if(status != Status::success)
+      return status;
+    Positions<3>& points = m_domain.rest_points;
+    if((points.row(2).array() != points(2, 0)).any()) {
+      message = "the mesh does not lie in a plane z = const";
+      return Status::not_planar;
+    }
+    x = points.topRows(2);
+    for(std::size_t e = 0; e < m_faces.size(); ++e)
+      if(!(m_domain.image_edges(e, x).determinant() > 0)) {
+        message = numbered("the planar mesh must be counterclockwise; not so face number ", mesh, m_faces[e]);
+        return Status::start_not_flip_free;
+      }
+    return Status::success;
+  }
+
+  /// Multiplies the measures of the elements by weights and scales them to sum 1 again. `false`, and nothing changes, unless all weights are
+  /// positive and finite.
+  template <typename FaceWeightMap>
+  bool weigh(const FaceWeightMap& weights)
+  {
+    std::vector<double> weighted(m_domain.measures.size());
+    double total = 0;
+    for(std::size_t e = 0; e < weighted.size(); ++e) {
+      weighted[e] = m_domain.measures[e] * CGAL::to_double(get(weights, m_faces[e]));
+      if(!(weighted[e] > 0) || !std::isfinite(weighted[e]))
+        return false;
+      total += weighted[e];
+    }
+    for(double& w : weighted)
+      w /= total;
+    m_domain.measures.swap(weighted);
+    return true;
+  }
+
+  /// The number of a mesh' vertex in the flat arrays, -1 if it has none.
+  std::int32_t number_of(vertex_descriptor v) const
+  {
+    const auto found = m_numbers.find(v);
+    return found == m_numbers.end() ? -1 : found->second;
+  }
+
+  /// The mesh' faces by the numbers of the elements.
+  const std::vector<face_descriptor>& faces_of_elements() const { return m_faces; }
+
   /// The flat arrays.
   const Simplicial_domain<2>& domain() const { return m_domain; }
 
@@ -210,6 +290,15 @@ private:
     return false;
   }
 
+  template <typename Point>
+  static double third_coordinate(const Point& p)
+  {
+    if constexpr(CGAL::Ambient_dimension<Point>::value == 2)
+      return 0;
+    else
+      return CGAL::to_double(p[2]);
+  }
+
   template <typename VertexPointMap>
   Status measure(const TriangleMesh& mesh, const VertexPointMap& vertex_points, std::string& message)
   {
@@ -217,7 +306,7 @@ private:
     Positions<3> points(3, n);
     for(std::size_t v = 0; v < n; ++v) {
       const auto& p = get(vertex_points, m_vertices[v]);
-      points.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]);
+      points.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), third_coordinate(p);
     }
     if(!points.allFinite()) {
       message = "a coordinate of the mesh is NaN or infinite";
@@ -253,6 +342,7 @@ private:
     }
     points /= length;
     m_domain.scale = extent * length;
+    m_domain.origin = 2 * low.head<2>();
 
     const std::size_t b = m_domain.border.size();
     m_domain.border_lengths.resize(b);

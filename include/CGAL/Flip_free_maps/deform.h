@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_DEFORM_H
+#define CGAL_FLIP_FREE_MAPS_DEFORM_H
+
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <cstdint>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsRef
+/// A shape that is deformed again and again as its handles move: the matrix' pattern is analysed once, each move begins with the result of
+/// the last one, and with its factorization as long as that serves. It is what an interactive program holds.
+///
+/// \tparam D 2 for planar shapes, 3 for solids
+/// \tparam Traits must be a model of `MapTraits`
+///
+/// All positions are in the user's units of length.
+template <int D, typename Traits = Flip_free_map_traits<>>
+class Deformation
+{
+public:
+  /// Begins with the shape `start`, which must be without flips.
+  ///
+  /// \param domain the rest shape
+  /// \param start a column for each vertex: often the rest shape itself
+  /// \param handles the vertices that are held; duplicates do no harm
+  /// \param traits the method and its settings
+  Deformation(Simplicial_domain<D> domain, const Positions<D>& start, const std::vector<std::int32_t>& handles,
+              const Traits& traits = Traits())
+    : Deformation(std::move(domain), start, Position_constraints<D>{handles, {}}, traits)
+  {}
+
+  /// The same with soft positions, whose targets are in the domain's units, beside the handles.
+  Deformation(Simplicial_domain<D> domain, const Positions<D>& start, const Position_constraints<D>& constraints,
+              const Traits& traits = Traits())
+    : m_domain(std::move(domain)), m_handles(constraints.fixed_vertices), m_positions(start),
+      m_minimizer(m_domain, traits, constraints)
+  {
+    m_minimizer.options().keep_factorization = true;
+    m_x = (start.colwise() - m_domain.origin) / m_domain.scale;
+  }
+
+  Deformation(const Deformation&) = delete;
+  Deformation& operator=(const Deformation&) = delete;
+
+  /// The handles, in the order in which they were given.
+  const std::vector<std::int32_t>& handles() const { return m_handles; }
+
+  /// The current shape.
+  const Positions<D>& positions() const { return m_positions; }
+
+  /// The settings; they may be changed between moves. An iteration limit of a few makes a move a quick one that leaves the rest to the next.
+  Map_options& options() { return m_minimizer.options(); }
+
+  /// Moves the handles to `targets`, a column for each, and optimises the shape. On the way there no element flips, however far the
+  /// handles go. Handles are exactly at their targets afterwards.
+  ///
+  /// \returns what happened; `unreachable_constraints` if no path was found, `non_finite_input` for targets that are no numbers. The shape
+  ///   changes only if the summary `is_valid()`.
+  Summary move(const Positions<D>& targets)
+  {
+    Summary summary;
+    move(targets, summary);
+    return summary;
+  }
+
+  /// The same, adding to the counts and times of a given summary.
+  void move(const Positions<D>& targets, Summary& summary)
+  {
+    if(targets.cols() != static_cast<Eigen::Index>(m_handles.size())) {
+      summary.status = Status::invalid_option;
+      summary.message = "there must be one target for each handle";
+      return;
+    }
+    Positions<D> all = m_x;
+    for(std::size_t i = 0; i < m_handles.size(); ++i)
+      if(m_handles[i] >= 0 && m_handles[i] < all.cols())
+        all.col(m_handles[i]) = (targets.col(i) - m_domain.origin) / m_domain.scale;
+    Positions<D> x = m_x;
+    m_minimizer.move_fixed_vertices(x, all, summary);
+    if(!summary.is_valid())
+      return;
+
+    // Scaling rounds; the result is checked in the numbers that are handed out.
+    Positions<D> result = (m_domain.scale * x).colwise() + m_domain.origin;
+    for(std::size_t i = 0; i < m_handles.size(); ++i)
+      result.col(m_handles[i]) = targets.col(i);
+    internal::Element_schedule schedule;
+    schedule.build(m_domain.elements, m_domain.number_of_vertices);
+    const std::int64_t flips =
+      internal::count_flips<typename Traits::Kernel, typename Traits::Concurrency_tag>(m_domain, schedule, result);
+    if(flips > summary.flips) {
+      summary.flips = flips;
+      summary.status = Status::result_not_representable;
+      summary.message = "elements flip when the shape is scaled to the user's units";
+      return;
+    }
+    m_x.swap(x);
+    m_positions.swap(result);
+  }
+
+private:
+  Simplicial_domain<D> m_domain;
+  std::vector<std::int32_t> m_handles;
+  Positions<D> m_positions;
+  Positions<D> m_x; // in the domain's units
+  Map_minimizer<D, Traits> m_minimizer;
+};
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Deforms a planar shape: vertices that are handles go where they are told, the others follow with as little distortion as possible,
+/// and no triangle flips. For handles that move again and again see `Deformation`.
+///
+/// \tparam TriangleMesh must be a model of `FaceListGraph` whose descriptors are `Hashable`
+/// \tparam Handles a range of pairs of vertex descriptors and planar points
+/// \tparam VertexPointMap2 must be a model of `WritablePropertyMap` with vertex descriptors as keys and planar points as values
+/// \tparam Traits must be a model of `MapTraits`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a connected triangle mesh in the plane, counterclockwise, with any number of borders
+/// \param handles the handles and their targets
+/// \param result receives the deformed shape. It is written once, at the end, if the map is valid, and left untouched otherwise.
+/// \param traits the method and its settings
+/// \param np `vertex_point_map`, points in the plane or in space with the same third coordinate; and
+///   `Flip_free_maps::parameters::start_map`, the shape to begin with instead of the one at rest
+///
+/// \returns how it ended and what it cost: as `parameterize()`, or `not_planar`, `several_components` or `unreachable_constraints`
+template <typename TriangleMesh, typename Handles, typename VertexPointMap2, typename Traits,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2 result, const Traits& traits,
+               const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Summary summary;
+  const auto run = [&] {
+    const internal::Phase_timer total(summary.seconds.total, &summary.cpu_seconds);
+    const auto vertex_points =
+      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+    Face_graph_domain<TriangleMesh> graph;
+    Positions<2> start;
+    {
+      const internal::Phase_timer timer(summary.seconds.load);
+      summary.status = graph.load_planar(mesh, vertex_points, start, summary.message);
+    }
+    if(summary.status != Status::success)
+      return;
+    const Simplicial_domain<2>& domain = graph.domain();
+    start = (domain.scale * start).colwise() + domain.origin;
+    summary.start = "rest shape";
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value) {
+      summary.start = "given";
+      for(std::int32_t v = 0; v < domain.number_of_vertices; ++v) {
+        const auto& p = get(get_parameter(np, internal::start_map_tag), graph.vertices()[v]);
+        start.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]);
+      }
+    }
+
+    std::vector<std::int32_t> numbers;
+    std::vector<internal::Vector<2>> places;
+    for(const auto& handle : handles) {
+      numbers.push_back(graph.number_of(handle.first));
+      places.push_back(internal::Vector<2>(CGAL::to_double(handle.second[0]), CGAL::to_double(handle.second[1])));
+      if(numbers.back() < 0) {
+        summary.status = Status::invalid_option;
+        summary.message = "a handle is not a vertex of a face";
+        return;
+      }
+    }
+    Positions<2> targets(2, places.size());
+    for(std::size_t i = 0; i < places.size(); ++i)
+      targets.col(i) = places[i];
+    Deformation<2, Traits> deformation(domain, start, numbers, traits);
+    deformation.move(targets, summary);
+    if(!summary.is_valid())
+      return;
+    const internal::Phase_timer timer(summary.seconds.certify);
+    internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), deformation.positions(), result, summary);
+  };
+  try {
+    run();
+  } catch(const std::bad_alloc&) {
+    summary.status = Status::out_of_memory;
+    summary.message = "memory was exhausted";
+  }
+  summary.peak_memory_mb = internal::peak_memory_mb();
+  return summary;
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with the default method.
+template <typename TriangleMesh, typename Handles, typename VertexPointMap2>
+Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2 result)
+{
+  return deform(mesh, handles, result, Flip_free_map_traits<>(), CGAL::parameters::default_values());
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_DEFORM_H
