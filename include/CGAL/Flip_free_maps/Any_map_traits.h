@@ -43,8 +43,7 @@ public:
   /// The default method.
   Any_map_traits()
   {
-    refactorization_rule = On_demand();
-    use_fixed_reference();
+    use_method("default");
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
     use_linear_solver<Cholmod_solver>();
 #else
@@ -85,7 +84,7 @@ public:
   ///
   /// | name | preconditioner | reference | acceleration |
   /// |------|----------------|-----------|--------------|
-  /// | `default` | `Slim_newton` | fixed; start from coarse to fine | `Lbfgs`, `On_demand` |
+  /// | `default` | `Adaptive_preconditioner` | fixed; start from coarse to fine | `Lbfgs`, `On_demand` |
   /// | `pp` | `Hybrid` | progressive | none |
   /// | `cm`, `p-cm` | `Composite_majorization` | fixed, progressive | none |
   /// | `slim`, `p-slim` | `Slim` | fixed, progressive | none |
@@ -98,10 +97,11 @@ public:
   /// \returns `false`, and no choice is made, if no method has that name
   bool use_method(const std::string& name)
   {
-    if(name == "default") {
-      const Any_map_traits defaults;
-      preconditioner = defaults.preconditioner;
-      acceleration = defaults.acceleration;
+    m_is_default = name == "default";
+    if(m_is_default) {
+      const Flip_free_map_traits<> defaults;
+      preconditioner = Any_preconditioner(defaults.preconditioner);
+      acceleration = Any_acceleration(defaults.acceleration);
       refactorization_rule = defaults.refactorization_rule;
       start.multilevel_size = defaults.start.multilevel_size;
       options.begin_with_largest_step = defaults.options.begin_with_largest_step;
@@ -124,6 +124,20 @@ public:
     return true;
   }
 
+  /// As the function of `Flip_free_map_traits`, if the method is the default.
+  void adapt_to_developable_surface()
+  {
+    if(!m_is_default)
+      return;
+    Flip_free_map_traits<> defaults;
+    defaults.adapt_to_developable_surface();
+    preconditioner = Any_preconditioner(defaults.preconditioner);
+    acceleration = Any_acceleration(defaults.acceleration);
+    refactorization_rule = defaults.refactorization_rule;
+    if(start.multilevel_size > 0)
+      start.multilevel_size = 0;
+  }
+
   /// The preconditioners of the methods without progressive references.
   static const std::map<std::string, Any_preconditioner>& preconditioners()
   {
@@ -141,6 +155,7 @@ public:
 
 private:
   std::function<Any_linear_solver()> m_make_linear_solver;
+  bool m_is_default = true;
 };
 
 } // namespace Flip_free_maps

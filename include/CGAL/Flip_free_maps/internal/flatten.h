@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/adapt_method.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
 
 #include <new>
@@ -24,12 +25,12 @@ namespace Flip_free_maps {
 namespace internal {
 
 // From a mesh in memory to a written, certified uv map. `make_start(domain, vertices, x, name, message)` computes the start, after
-// `constrain(graph, constraints, message)` has entered what is asked of the map. Fixed vertices keep their positions exactly:
+// `constrain(graph, constraints, message)` has entered what is asked of the map. `traits` are adapted to the surface before. Fixed vertices keep their positions exactly:
 // `exact_position(v, p)` gives them in the user's units, or returns false where there are none.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart, typename Constrain,
           typename ExactPosition>
 Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                const VertexPointMap& vertex_points, VertexUVMap uv_map, const Traits& traits, MakeStart&& make_start,
+                const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start,
                 Constrain&& constrain, ExactPosition&& exact_position)
 {
   Summary summary;
@@ -49,6 +50,7 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
     const Simplicial_domain<2>& domain = graph.domain();
     summary.vertices = domain.number_of_vertices;
     summary.elements = domain.number_of_elements();
+    adapt_method(domain, traits);
 
     Position_constraints<2> constraints;
     summary.status = constrain(graph, constraints, summary.message);
@@ -90,7 +92,7 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
 // The same without constraints.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart>
 Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                const VertexPointMap& vertex_points, VertexUVMap uv_map, const Traits& traits, MakeStart&& make_start)
+                const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start)
 {
   return flatten(
     mesh, border_halfedge, vertex_points, uv_map, traits, make_start, [](auto&, auto&, std::string&) { return Status::success; },

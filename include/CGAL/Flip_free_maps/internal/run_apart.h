@@ -9,14 +9,14 @@
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_RUN_APART_H
 
 #if defined(__unix__) || defined(__APPLE__)
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <cerrno>
-#include <fcntl.h>
 #endif
 
+#include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <string>
 
@@ -32,8 +32,8 @@ enum class Apart_end
   not_started
 };
 
-// Calls `f(bytes)`, which fills a string and returns a code from 0 to 255, in a process of its own, so that nothing it does can harm
-// this one: it may crash, exit or print. Where there is no fork() it is called directly.
+// Calls `f(bytes)`, which fills a string and returns a code from 0 to 254, in a process of its own, so that nothing it does can harm
+// this one: it may crash, throw (code 255) or print. Where there is no fork() it is called directly.
 template <typename F>
 Apart_end run_apart(F&& f, std::string& bytes, int& code)
 {
@@ -56,8 +56,16 @@ Apart_end run_apart(F&& f, std::string& bytes, int& code)
       ::dup2(nowhere, STDOUT_FILENO);
       ::dup2(nowhere, STDERR_FILENO);
     }
+    // The handlers of this program would carry on with it.
+    for(const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV})
+      std::signal(signal, SIG_DFL);
     ::close(ends[0]);
-    const int result = f(bytes);
+    int result = 255;
+    try {
+      result = f(bytes);
+    } catch(...) {
+      ::_exit(255);
+    }
     for(std::size_t done = 0; done < bytes.size();) {
       const ssize_t length = ::write(ends[1], bytes.data() + done, bytes.size() - done);
       if(length < 0 && errno != EINTR)

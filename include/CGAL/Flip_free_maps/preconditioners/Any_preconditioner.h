@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/energies/Any_energy.h>
 #include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
+#include <CGAL/Flip_free_maps/preconditioners/Adaptive_preconditioner.h>
 #include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
 #include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
@@ -45,8 +46,8 @@ public:
   bool is_second_order;         ///< whether full steps of the preconditioner that is held are natural
   bool clamps_element_matrices; ///< whether each element's matrix is to be projected to the positive semidefinite ones
 
-  /// Holds a `Slim_newton`.
-  Any_preconditioner() : Any_preconditioner(Slim_newton()) {}
+  /// Holds an `Adaptive_preconditioner`.
+  Any_preconditioner() : Any_preconditioner(Adaptive_preconditioner()) {}
 
   /// Holds a copy of `preconditioner`.
   /// \tparam Preconditioner must be a model of `Preconditioner`; those of the plane only must not be used in space

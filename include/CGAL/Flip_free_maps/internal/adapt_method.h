@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_ADAPT_METHOD_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_ADAPT_METHOD_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/energy_members.h>
+#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+
+#include <CGAL/number_type_basic.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// The sum of |2 pi - angles| over the inner vertices of a disk: 0 for developable surfaces, 4 pi or more for most closed surfaces that were
+// cut open.
+inline double total_curvature(const Simplicial_domain<2>& domain)
+{
+  std::vector<double> defects(domain.number_of_vertices, 2 * CGAL_PI);
+  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
+    const Matrix<2> edges = domain.rest_inverses[e].inverse();
+    const Vector<2> p[3] = {Vector<2>::Zero(), edges.col(0), edges.col(1)};
+    for(int k = 0; k < 3; ++k) {
+      const Vector<2> a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
+      defects[domain.elements[e][k]] -= std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+    }
+  }
+  for(std::int32_t v : domain.border)
+    defects[v] = 0;
+  double sum = 0;
+  for(double defect : defects)
+    sum += std::abs(defect);
+  return sum;
+}
+
+// Whether isometries are strict minima of the energy, but for rotations.
+template <typename Energy>
+bool favours_isometries(const Energy& energy)
+{
+  Vector<2> gradient;
+  Matrix<2> hessian;
+  energy.template derivatives<2>(Vector<2>::Ones(), gradient, hessian);
+  const Vector<2> curvatures = Eigen::SelfAdjointEigenSolver<Matrix<2>>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
+  return curvatures[0] > 1e-6 * curvatures[1] && gradient.norm() <= 1e-9 * curvatures[1];
+}
+
+template <typename Traits, typename = void>
+struct Is_adaptive : std::false_type {};
+
+template <typename Traits>
+struct Is_adaptive<Traits, std::void_t<decltype(std::declval<Traits&>().adapt_to_developable_surface())>> : std::true_type {};
+
+// Total curvature, in radians, up to which a surface counts as developable: that of a spherical cap of 18 degrees around its centre is
+// greater.
+constexpr double DEVELOPABLE = 0.3;
+
+// Adapts a default method to the surface.
+template <typename Traits>
+void adapt_method(const Simplicial_domain<2>& domain, Traits& traits)
+{
+  if constexpr(Is_adaptive<Traits>::value)
+    if(favours_isometries(traits.energy) && total_curvature(domain) <= DEVELOPABLE)
+      traits.adapt_to_developable_surface();
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_ADAPT_METHOD_H
