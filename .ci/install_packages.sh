@@ -6,7 +6,7 @@
 set -euo pipefail
 
 common=(cmake g++ make pkg-config libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas-dev libtbb-dev
-        libcairo2-dev libcli11-dev nlohmann-json3-dev)
+        libcairo2-dev libtet1.5-dev libcli11-dev nlohmann-json3-dev)
 
 case "${1:-}" in
   tests)      packages=("${common[@]}" libopenmesh-dev doxygen graphviz) ;;

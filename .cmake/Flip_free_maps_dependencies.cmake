@@ -84,3 +84,25 @@ if(FLIP_FREE_MAPS_WITH_CAIRO)
 else()
   set(FLIP_FREE_MAPS_CAIRO_STATUS "switched off, no PNG output (SVG is always there)")
 endif()
+
+# TetGen
+if(FLIP_FREE_MAPS_WITH_TETGEN)
+  find_path(FLIP_FREE_MAPS_TETGEN_INCLUDE_DIR tetgen.h)
+  find_library(FLIP_FREE_MAPS_TETGEN_LIBRARY tet)
+  mark_as_advanced(FLIP_FREE_MAPS_TETGEN_INCLUDE_DIR FLIP_FREE_MAPS_TETGEN_LIBRARY)
+  if(FLIP_FREE_MAPS_TETGEN_INCLUDE_DIR AND FLIP_FREE_MAPS_TETGEN_LIBRARY)
+    if(FLIP_FREE_MAPS_DEPENDENCIES_ARE_NEW)
+      add_library(Flip_free_maps::TetGen UNKNOWN IMPORTED)
+      set_target_properties(Flip_free_maps::TetGen PROPERTIES
+        IMPORTED_LOCATION "${FLIP_FREE_MAPS_TETGEN_LIBRARY}"
+        INTERFACE_INCLUDE_DIRECTORIES "${FLIP_FREE_MAPS_TETGEN_INCLUDE_DIR}"
+        INTERFACE_COMPILE_DEFINITIONS CGAL_FLIP_FREE_MAPS_USE_TETGEN)
+      target_link_libraries(Flip_free_maps::dependencies INTERFACE Flip_free_maps::TetGen)
+    endif()
+    set(FLIP_FREE_MAPS_TETGEN_STATUS "found, ${FLIP_FREE_MAPS_TETGEN_LIBRARY}")
+  else()
+    set(FLIP_FREE_MAPS_TETGEN_STATUS "not found, closed surfaces are filled by Mesh_3 only")
+  endif()
+else()
+  set(FLIP_FREE_MAPS_TETGEN_STATUS "switched off, closed surfaces are filled by Mesh_3 only")
+endif()

@@ -41,9 +41,10 @@ struct Tetrahedral_mesh
   returns the facets that belong to exactly one tetrahedron, in the order of the tetrahedra. For positively oriented
   tetrahedra they are counterclockwise seen from outside. The cost is \f$ O(n \log n) \f$ for \f$ n \f$ tetrahedra.
 
-  \pre the indices in `mesh.tetrahedra` are valid
+  \param mesh a tetrahedral mesh with valid indices
+  \param owners if not null, receives for each triangle the index of its tetrahedron
 */
-inline std::vector<std::array<int, 3> > boundary_triangles(const Tetrahedral_mesh& mesh)
+inline std::vector<std::array<int, 3> > boundary_triangles(const Tetrahedral_mesh& mesh, std::vector<std::size_t>* owners = nullptr)
 {
   struct Facet
   {
@@ -78,11 +79,15 @@ inline std::vector<std::array<int, 3> > boundary_triangles(const Tetrahedral_mes
 
   std::vector<std::array<int, 3> > triangles;
   triangles.reserve(numbers.size());
+  if(owners != nullptr)
+    owners->clear();
   for(const std::size_t number : numbers)
   {
     const std::array<int, 4>& tetrahedron = mesh.tetrahedra[number / 4];
     const auto& corner = corners[number % 4];
     triangles.push_back({{tetrahedron[corner[0]], tetrahedron[corner[1]], tetrahedron[corner[2]]}});
+    if(owners != nullptr)
+      owners->push_back(number / 4);
   }
   return triangles;
 }

@@ -132,10 +132,10 @@ public:
   bool is_reflected() const { return m_is_reflected; }
 
   /// The place in the user's coordinates as one in the domain's.
-  Eigen::Vector3d to_domain(const Eigen::Vector3d& place) const { return (place - m_origin) / m_domain.scale; }
+  Eigen::Vector3d to_domain(const Eigen::Vector3d& place) const { return (place - m_domain.origin) / m_domain.scale; }
 
   /// The place in the domain's coordinates as one in the user's.
-  Eigen::Vector3d from_domain(const Eigen::Vector3d& place) const { return place * m_domain.scale + m_origin; }
+  Eigen::Vector3d from_domain(const Eigen::Vector3d& place) const { return place * m_domain.scale + m_domain.origin; }
 
   /// Writes a map to the user's property map, if every element is positively oriented by exact predicates after conversion to the
   /// user's coordinates and number type; otherwise the property map remains untouched. Vertices that belong to no tetrahedron
@@ -155,7 +155,7 @@ public:
                     const std::vector<std::pair<std::int32_t, Eigen::Vector3d>>& exact_places = {}) const
   {
     using Point = typename boost::property_traits<VertexPointMap>::value_type;
-    Positions<3> converted = (x * m_domain.scale).colwise() + m_origin;
+    Positions<3> converted = (x * m_domain.scale).colwise() + m_domain.origin;
     for(const auto& place : exact_places)
       converted.col(place.first) = place.second;
     std::vector<Point> points;
@@ -183,7 +183,6 @@ protected:
     m_domain = Simplicial_domain<3>();
     m_vertices.clear();
     m_numbers.clear();
-    m_origin.setZero();
     m_number_of_components = 0;
     m_is_reflected = false;
   }
@@ -305,7 +304,7 @@ private:
       m_domain.rest_inverses[e] *= length;
     }
     points /= length;
-    m_origin = low;
+    m_domain.origin = low;
     m_domain.scale = extent * length;
     m_domain.rest_points.swap(points);
     return Status::success;
@@ -314,7 +313,6 @@ private:
   Simplicial_domain<3> m_domain;
   std::vector<Vertex> m_vertices;
   std::unordered_map<Vertex, std::int32_t, boost::hash<Vertex>> m_numbers;
-  Eigen::Vector3d m_origin = Eigen::Vector3d::Zero();
   std::int32_t m_number_of_components = 0;
   bool m_is_reflected = false;
 };

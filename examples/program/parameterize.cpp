@@ -1,0 +1,250 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#include "common.h"
+
+#include <CGAL/Flip_free_maps/IO/OBJ.h>
+#include <CGAL/Flip_free_maps/measure_distortion.h>
+#include <CGAL/Flip_free_maps/parameterize.h>
+
+#include <CGAL/Polygon_mesh_processing/border.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
+using Soft_position = std::tuple<Vertex, Kernel::Point_2, double>;
+
+FFM::Textured_mesh textured(const Triangles& triangles, const Mesh::Property_map<Vertex, Kernel::Point_2>& uv, bool unit_square)
+{
+  FFM::Textured_mesh result;
+  for(const auto& p : triangles.points)
+    result.points.push_back({p.x(), p.y(), p.z()});
+  std::vector<int> texture_of_point(triangles.points.size(), -1);
+  std::array<double, 2> low{}, high{};
+  for(const auto& polygon : triangles.polygons) {
+    std::array<int, 3> triangle, texture;
+    for(int k = 0; k < 3; ++k) {
+      const std::size_t v = polygon[k];
+      if(texture_of_point[v] < 0) {
+        texture_of_point[v] = static_cast<int>(result.texture.size());
+        const Kernel::Point_2 p = uv[Vertex(static_cast<Mesh::size_type>(v))];
+        const bool first = result.texture.empty();
+        for(int c = 0; c < 2; ++c) {
+          low[c] = first ? p[c] : (std::min)(low[c], p[c]);
+          high[c] = first ? p[c] : (std::max)(high[c], p[c]);
+        }
+        result.texture.push_back({p.x(), p.y()});
+      }
+      triangle[k] = static_cast<int>(v);
+      texture[k] = texture_of_point[v];
+    }
+    result.triangles.push_back(triangle);
+    result.texture_triangles.push_back(texture);
+  }
+  if(unit_square) {
+    const double extent = (std::max)(high[0] - low[0], high[1] - low[1]);
+    for(auto& p : result.texture)
+      p = {(p[0] - low[0]) / extent, (p[1] - low[1]) / extent};
+  }
+  return result;
+}
+
+// Numbers in the lines of a file, without comments and empty lines.
+std::vector<std::vector<double>> read_numbers(const std::string& path, std::size_t per_line)
+{
+  std::ifstream in(path);
+  check(bool(in), "cannot open " + path);
+  std::vector<std::vector<double>> rows;
+  int number = 0;
+  for(std::string line; std::getline(in, line);) {
+    ++number;
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<double> row;
+    for(double value; words >> value;)
+      row.push_back(value);
+    check(words.eof() && (row.empty() || row.size() == per_line),
+          path + ", line " + std::to_string(number) + ": " + std::to_string(per_line) + " numbers are expected");
+    if(!row.empty())
+      rows.push_back(row);
+  }
+  return rows;
+}
+
+Vertex vertex_of(double number, const Mesh& mesh, const std::string& path)
+{
+  check(number >= 0 && number < mesh.number_of_vertices() && number == std::floor(number),
+        path + " names a vertex that does not exist: " + std::to_string(number));
+  return Vertex(static_cast<Mesh::size_type>(number));
+}
+
+class Parameterize
+  : public Command
+{
+public:
+  explicit Parameterize(CLI::App& application)
+  {
+    app = application.add_subcommand("parameterize", "Flatten a surface patch, a topological disk, into the plane");
+    app->add_option("input", m_input, "mesh: OFF, OBJ, PLY or STL")->required();
+    app->add_option("-o,--output", m_output, "OBJ with texture coordinates, in the units of the surface");
+    app->add_flag("--unit-square", m_unit_square, "scale the texture coordinates into the unit square");
+    add_method_options(*app, m_method);
+    app
+      ->add_option("--start", m_start,
+                   "Tutte embedding, from coarse to fine, or an OBJ of the same mesh with the texture coordinates to begin with; 'auto' is from "
+                   "coarse to fine for the default method on large meshes, and either where the other fails")
+      ->capture_default_str();
+    app->add_option("--border", m_border, "border of the start")
+      ->check(CLI::IsMember({"circle", "triangle", "square", "octagon"}))
+      ->capture_default_str();
+    app->add_option("--weights", m_weights, "weights of the start")
+      ->check(CLI::IsMember({"uniform", "mean-value", "cotangent"}))
+      ->capture_default_str();
+    app->add_flag("--flaps", m_place_flaps, "begin with border vertices of a single triangle at their optimum");
+    app->add_option("--fixed", m_fixed, "file with the number of a vertex per line, from 0: these keep their places in the start");
+    app->add_flag("--fix-border", m_fix_border, "all border vertices keep their places in the start");
+    app->add_option("--soft", m_soft,
+                    "file with lines 'vertex u v weight': vertices that are pulled to places, in the units of the surface");
+    add_picture_options(*app, m_pictures);
+  }
+
+  int run() override
+  {
+    const std::string reason = why_not_available(m_method, 2);
+    if(!reason.empty()) {
+      std::cerr << "flip_free_maps: " << reason << '\n';
+      return 2;
+    }
+    return run_reported(m_method, [this](FFM::Summary& summary) { flatten(summary); });
+  }
+
+private:
+  void flatten(FFM::Summary& summary)
+  {
+    Triangles triangles;
+    read_triangles(m_input, triangles);
+    Mesh& mesh = triangles.mesh;
+    std::vector<Mesh::Halfedge_index> borders;
+    PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
+    if(borders.empty())
+      throw Failure{Status::no_border, "the surface is closed; it must be cut open before it can be flattened"};
+    UV_map uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
+    const auto reporter = std::make_shared<Reporter>(m_method);
+    if(m_method.is_default()) {
+      FFM::Flip_free_map_traits<> traits;
+      set_options(m_method, reporter, traits.options);
+      summary = flatten(triangles, borders.front(), uv, traits);
+    } else {
+      FFM::Any_map_traits traits = make_traits(m_method);
+      set_options(m_method, reporter, traits.options);
+      summary = flatten(triangles, borders.front(), uv, traits);
+      traits.name_choices(summary);
+    }
+    reporter->finish();
+    if(!summary.is_valid())
+      return;
+
+    std::vector<double> distortion;
+    auto distortion_map = mesh.add_property_map<Mesh::Face_index, double>("f:distortion").first;
+    FFM::face_distortions(mesh, uv, distortion_map);
+    for(const auto face : mesh.faces())
+      distortion.push_back(distortion_map[face]);
+    const FFM::Textured_mesh layout = textured(triangles, uv, m_unit_square);
+    write_pictures(m_pictures, m_input, layout, distortion, summary);
+    std::string message;
+    if(!m_output.empty())
+      check(FFM::write_textured_OBJ(m_output, layout, &message), message);
+  }
+
+  template <typename Traits>
+  FFM::Summary flatten(const Triangles& triangles, Mesh::Halfedge_index border, UV_map uv, Traits& traits)
+  {
+    const Mesh& mesh = triangles.mesh;
+    FFM::Start_options& start = traits.start;
+    start.weights = m_weights == "mean-value"  ? FFM::Tutte_weights::mean_value
+                    : m_weights == "cotangent" ? FFM::Tutte_weights::cotangent
+                                               : FFM::Tutte_weights::uniform;
+    start.place_flaps = m_place_flaps;
+    const int corners = m_border == "triangle" ? 3 : m_border == "octagon" ? 8 : 0;
+    for(int i = 0; i < corners; ++i)
+      start.polygon.push_back({std::cos(2 * CGAL_PI * i / corners), std::sin(2 * CGAL_PI * i / corners)});
+    start.border = corners > 0            ? FFM::Border_shape::polygon
+                   : m_border == "square" ? FFM::Border_shape::square
+                                          : FFM::Border_shape::circle;
+    if(m_start == "tutte" || (m_start == "auto" && (m_fix_border || !m_fixed.empty())))
+      start.multilevel_size = -1;
+    else if(m_start == "multilevel")
+      start.multilevel_size = 0;
+
+    std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
+    if(!m_fixed.empty())
+      for(const auto& row : read_numbers(m_fixed, 1))
+        is_fixed[vertex_of(row[0], mesh, m_fixed)] = 1;
+    std::vector<Soft_position> soft;
+    if(!m_soft.empty())
+      for(const auto& row : read_numbers(m_soft, 4))
+        soft.emplace_back(vertex_of(row[0], mesh, m_soft), Kernel::Point_2(row[1], row[2]), row[3]);
+
+    const auto constraints = FFM::parameters::border_is_fixed(
+      m_fix_border, FFM::parameters::soft_positions(
+                      soft, CGAL::parameters::vertex_is_constrained_map(
+                              boost::make_iterator_property_map(is_fixed.begin(), get(boost::vertex_index, mesh)))));
+    if(m_start == "auto" || m_start == "tutte" || m_start == "multilevel")
+      return FFM::parameterize(mesh, border, uv, traits, constraints);
+    const std::vector<Kernel::Point_2> given = read_start(triangles);
+    return FFM::parameterize(
+      mesh, border, uv, traits,
+      FFM::parameters::start_map(boost::make_iterator_property_map(given.begin(), get(boost::vertex_index, mesh)), constraints));
+  }
+
+  // The texture coordinates of an OBJ with the same faces, one pair for each vertex.
+  std::vector<Kernel::Point_2> read_start(const Triangles& triangles) const
+  {
+    FFM::Textured_mesh given;
+    std::string message;
+    check(FFM::read_textured_OBJ(m_start, given, &message), message);
+    bool is_same = given.triangles.size() == triangles.polygons.size();
+    std::vector<Kernel::Point_2> uv(triangles.points.size(), Kernel::Point_2(0, 0));
+    std::vector<int> texture(triangles.points.size(), -1);
+    for(std::size_t i = 0; is_same && i < given.triangles.size(); ++i)
+      for(int k = 0; k < 3; ++k) {
+        const int v = given.triangles[i][k], t = given.texture_triangles[i][k];
+        is_same = is_same && v == static_cast<int>(triangles.polygons[i][k]) && t >= 0 && (texture[v] < 0 || texture[v] == t);
+        if(is_same) {
+          texture[v] = t;
+          uv[v] = Kernel::Point_2(given.texture[t][0], given.texture[t][1]);
+        }
+      }
+    check(is_same, m_start + " does not give the faces of " + m_input + " one pair of texture coordinates per vertex");
+    return uv;
+  }
+
+  Method_arguments m_method;
+  Picture_arguments m_pictures;
+  std::string m_input, m_output, m_start = "auto", m_border = "circle", m_weights = "uniform", m_fixed, m_soft;
+  bool m_place_flaps = false, m_unit_square = false, m_fix_border = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> parameterize_command(CLI::App& app)
+{
+  return std::make_unique<Parameterize>(app);
+}
+
+} // namespace program

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_DEFORM_VOLUME_H
+#define CGAL_FLIP_FREE_MAPS_DEFORM_VOLUME_H
+
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/domains/Volume_domain.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstdint>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Deforms a solid: vertices that are handles go where they are told, the others follow with as little distortion as possible, and no
+/// tetrahedron flips. For handles that move again and again see `Deformation`.
+///
+/// \tparam Vertex what the user names a vertex by: a handle of a triangulation, or a number
+/// \tparam Handles a range of pairs of `Vertex` and points in space
+/// \tparam VertexPointMap must be a model of `WritablePropertyMap` with `Vertex` as key and points in space as values
+/// \tparam Traits must be a model of `MapTraits`
+///
+/// \param volume the rest shape: a loaded `Mesh_complex_3_domain`, `Triangulation_3_domain`, `Tetgen_domain` or `Tetrahedral_domain`
+/// \param handles the handles and their targets
+/// \param result receives the deformed positions of all vertices of tetrahedra. It is written once, at the end, if the map is valid, and left
+///   untouched otherwise; the points of the user's mesh are never moved.
+/// \param traits the method and its settings
+/// \param soft_weight if positive, handles are pulled to their targets instead of being held there: this times the squared distance in the
+///   domain's units, in which the volume is 1, is added to the mean energy for each
+///
+/// \returns how it ended and what it cost: a valid map, or one of `empty_mesh`, `several_components` (each needs handles of its own: deform
+///   them one by one), `invalid_option`, `unreachable_constraints`, `non_finite_input`, `linear_solver_failed`, `line_search_failed`,
+///   `result_not_representable` and `out_of_memory`
+template <typename Vertex, typename Handles, typename VertexPointMap, typename Traits = Flip_free_map_traits<>>
+Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handles, VertexPointMap result, const Traits& traits = Traits(),
+                      double soft_weight = 0)
+{
+  Summary summary;
+  const Simplicial_domain<3>& domain = volume.domain();
+  const auto run = [&] {
+    const internal::Phase_timer total(summary.seconds.total, &summary.cpu_seconds);
+    const auto fail = [&summary](Status status, const char* message) {
+      summary.status = status;
+      summary.message = message;
+    };
+    if(domain.number_of_elements() == 0)
+      return fail(Status::empty_mesh, "the domain holds no tetrahedra");
+    if(volume.number_of_components() > 1)
+      return fail(Status::several_components, "the tetrahedra form several components");
+    Position_constraints<3> constraints;
+    std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
+    Positions<3> x = domain.rest_points, targets = x;
+    for(const auto& handle : handles) {
+      const std::int32_t v = volume.number(handle.first);
+      if(v < 0)
+        return fail(Status::invalid_option, "a handle is not a vertex of a tetrahedron");
+      const Eigen::Vector3d place(CGAL::to_double(handle.second[0]), CGAL::to_double(handle.second[1]), CGAL::to_double(handle.second[2]));
+      if(soft_weight > 0) {
+        constraints.soft_positions.push_back({v, volume.to_domain(place), soft_weight});
+        continue;
+      }
+      constraints.fixed_vertices.push_back(v);
+      targets.col(v) = volume.to_domain(place);
+      exact_places.emplace_back(v, place);
+    }
+    summary.start = "rest shape";
+    Map_minimizer<3, Traits> minimizer(domain, traits, constraints);
+    minimizer.move_fixed_vertices(x, targets, summary);
+    if(!summary.is_valid())
+      return;
+    const internal::Phase_timer timer(summary.seconds.certify);
+    std::string message;
+    const Status status = volume.write_back(x, result, message, exact_places);
+    if(status != Status::success)
+      fail(status, message.c_str());
+  };
+  try {
+    run();
+  } catch(const std::bad_alloc&) {
+    summary.status = Status::out_of_memory;
+    summary.message = "memory was exhausted";
+  }
+  summary.peak_memory_mb = internal::peak_memory_mb();
+  return summary;
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_DEFORM_VOLUME_H

@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_WITH_TETGEN_H
+#define CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_WITH_TETGEN_H
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
+
+#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
+#include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/internal/Closed_surface.h>
+#include <CGAL/Flip_free_maps/internal/run_apart.h>
+#include <CGAL/Flip_free_maps/internal/tetgen.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <new>
+#include <string>
+#include <utility>
+
+/// \file
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Settings of `tetrahedralize_with_tetgen()`.
+struct Tetgen_options
+{
+  /// Upper bound for the edge length of a regular tetrahedron as large as the largest one, relative to the diagonal of the bounding box
+  /// of the surface; from 0.001 to 1, where 1 leaves the size free. Tetrahedra at a boundary that is coarser remain larger.
+  double cell_size = 0.05;
+  /// Upper bound for the ratio of circumradius and shortest edge of the tetrahedra in the interior; at least 1.2, or 0 for none: then only
+  /// the size demands additional vertices.
+  double radius_edge_ratio = 1.6;
+
+  /// Checks the ranges; when a value is off, says which in `*message` (if given) and returns `false`.
+  bool is_valid(std::string* message = nullptr) const
+  {
+    const char* fault = nullptr;
+    if(!(cell_size >= 0.001 && cell_size <= 1))
+      fault = "cell_size is not from 0.001 to 1";
+    else if(radius_edge_ratio != 0 && !(radius_edge_ratio >= 1.2 && std::isfinite(radius_edge_ratio)))
+      fault = "radius_edge_ratio is neither 0 nor at least 1.2";
+    if(fault != nullptr && message != nullptr)
+      *message = fault;
+    return fault == nullptr;
+  }
+};
+
+namespace internal {
+
+// A power of two, so that a division by it is exact, that brings the surface to size 1: TetGen's switches are decimal fractions.
+inline double tetgen_unit(const Closed_surface& surface)
+{
+  return std::exp2(std::ceil(std::log2(surface.diagonal())));
+}
+
+inline void fill_tetgenio(const Closed_surface& surface, tetgenio& input)
+{
+  const double unit = tetgen_unit(surface);
+  input.numberofpoints = static_cast<int>(surface.mesh().number_of_vertices());
+  input.pointlist = new REAL[3 * surface.mesh().number_of_vertices()];
+  std::size_t i = 0;
+  for(const auto v : surface.mesh().vertices())
+    for(int k = 0; k < 3; ++k)
+      input.pointlist[i++] = surface.mesh().point(v)[k] / unit;
+
+  const std::size_t n = surface.triangles().size();
+  input.facetlist = new tetgenio::facet[n];
+  for(std::size_t f = 0; f < n; ++f)
+    tetgenio::init(&input.facetlist[f]);
+  input.numberoffacets = static_cast<int>(n);
+  for(std::size_t f = 0; f < n; ++f) {
+    tetgenio::facet& facet = input.facetlist[f];
+    facet.polygonlist = new tetgenio::polygon[1];
+    tetgenio::init(facet.polygonlist);
+    facet.numberofpolygons = 1;
+    facet.polygonlist->vertexlist = new int[3];
+    facet.polygonlist->numberofvertices = 3;
+    for(int k = 0; k < 3; ++k)
+      facet.polygonlist->vertexlist[k] = surface.triangles()[f][k];
+  }
+}
+
+// p: a piecewise linear complex; Y: the boundary stays as it is; q, a: bounds for ratio and volume; Q: no report.
+inline std::string tetgen_switches(const Closed_surface& surface, const Tetgen_options& options)
+{
+  std::string switches = "pYQ";
+  const auto add = [&switches](char name, double value) {
+    char digits[64];
+    switches += name;
+    switches.append(digits, std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::fixed, 15).ptr);
+  };
+  if(options.radius_edge_ratio != 0)
+    add('q', options.radius_edge_ratio);
+  if(options.cell_size < 1) {
+    const double edge = options.cell_size * surface.diagonal() / tetgen_unit(surface);
+    add('a', edge * edge * edge / std::sqrt(72.));
+  }
+  return switches;
+}
+
+// Writes the points and the tetrahedra as bytes; returns 0, or the number that TetGen throws.
+inline int run_tetgen(const Closed_surface& surface, const Tetgen_options& options, std::string& bytes)
+{
+  try {
+    tetgenio input, output;
+    fill_tetgenio(surface, input);
+    std::string switches = tetgen_switches(surface, options);
+    ::tetrahedralize(&switches[0], &input, &output);
+    const int counts[3] = {output.numberofpoints, output.numberoftetrahedra, output.firstnumber};
+    bytes.assign(reinterpret_cast<const char*>(counts), sizeof(counts));
+    if(counts[1] == 0 || output.numberofcorners != 4)
+      return 0;
+    bytes.append(reinterpret_cast<const char*>(output.pointlist), sizeof(double) * 3 * counts[0]);
+    bytes.append(reinterpret_cast<const char*>(output.tetrahedronlist), sizeof(int) * 4 * counts[1]);
+    return 0;
+  } catch(const std::bad_alloc&) {
+    return 1;
+  } catch(int code) {
+    return code > 0 && code < 200 ? code : 2;
+  }
+}
+
+// False when the bytes are not complete.
+inline bool unpack_tetgen(const Closed_surface& surface, const std::string& bytes, Tetrahedral_mesh& mesh)
+{
+  int counts[3];
+  if(bytes.size() < sizeof(counts))
+    return false;
+  std::memcpy(counts, bytes.data(), sizeof(counts));
+  static_assert(sizeof(std::array<double, 3>) == 3 * sizeof(double) && sizeof(std::array<int, 4>) == 4 * sizeof(int),
+                "arrays without padding");
+  if(counts[0] < static_cast<int>(surface.mesh().number_of_vertices()) || counts[1] < 1)
+    return false;
+  mesh.points.resize(counts[0]);
+  mesh.tetrahedra.resize(counts[1]);
+  const std::size_t point_bytes = mesh.points.size() * sizeof(mesh.points[0]);
+  const std::size_t tetrahedron_bytes = mesh.tetrahedra.size() * sizeof(mesh.tetrahedra[0]);
+  if(bytes.size() != sizeof(counts) + point_bytes + tetrahedron_bytes)
+    return false;
+  std::memcpy(mesh.points.data(), bytes.data() + sizeof(counts), point_bytes);
+  std::memcpy(mesh.tetrahedra.data(), bytes.data() + sizeof(counts) + point_bytes, tetrahedron_bytes);
+  for(std::array<double, 3>& point : mesh.points)
+    for(double& coordinate : point)
+      coordinate *= tetgen_unit(surface);
+  for(std::array<int, 4>& tetrahedron : mesh.tetrahedra)
+    for(int& v : tetrahedron)
+      v -= counts[2];
+  return true;
+}
+
+// What the numbers mean that TetGen throws.
+inline Status tetgen_failure(int code, std::string& message)
+{
+  switch(code) {
+  case 1: message = "not enough memory for so many tetrahedra"; return Status::out_of_memory;
+  case 3: message = "TetGen found a self-intersection of the surface"; return Status::non_manifold;
+  default: message = "TetGen gave up: details of the surface are too small or too close to each other for it";
+           return Status::degenerate_rest_element;
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Fills a closed triangle mesh with tetrahedra by TetGen 1.5. The boundary of the result is the given surface: its triangles are those
+/// of the surface, and its vertices come first, in the order of `vertices(surface)`, without those that have no face. TetGen runs in
+/// a process of its own where the operating system has `fork()`, since version 1.5 crashes when it cannot mesh a surface.
+/// Needs the macro `CGAL_FLIP_FREE_MAPS_USE_TETGEN` and the library `tet`.
+///
+/// \tparam FaceGraph must be a model of `VertexListGraph` and `FaceListGraph` whose vertex descriptors are `Hashable`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param surface a closed connected triangle mesh without self-intersections; the orientation does not matter
+/// \param volume receives the tetrahedra, all of the same orientation, and the triangles of their boundary; not changed on failure
+/// \param options sizes
+/// \param message receives a sentence on failure
+/// \param np optional named parameters: `vertex_point_map`, as in `parameterize()`
+///
+/// \returns `success`, `invalid_option`, `empty_mesh`, `not_triangular`, `several_components`, `non_manifold` (not closed, several
+///   sheets at a vertex, or self-intersecting), `degenerate_rest_element` (also for what is too small or too close for TetGen),
+///   `non_finite_input` or `out_of_memory`
+template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
+Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetgen_options& options,
+                                  std::string& message, const NamedParameters& np = parameters::default_values())
+{
+  if(!options.is_valid(&message))
+    return Status::invalid_option;
+  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                                          get_const_property_map(CGAL::vertex_point, surface));
+  internal::Closed_surface closed;
+  const Status status = closed.load(surface, vertex_points, message);
+  if(status != Status::success)
+    return status;
+  if(closed.number_of_components() > 1) {
+    message = "the surface has " + std::to_string(closed.number_of_components()) + " components";
+    return Status::several_components;
+  }
+
+  // When TetGen 1.5 throws it has freed its memory, which its destructor then frees again: a failure would end this process.
+  std::string bytes;
+  int code = 0;
+  const internal::Apart_end end =
+    internal::run_apart([&](std::string& result) { return internal::run_tetgen(closed, options, result); }, bytes, code);
+  if(end == internal::Apart_end::not_started) {
+    message = "no process could be started for TetGen";
+    return Status::out_of_memory;
+  }
+  if(end == internal::Apart_end::crashed || code != 0)
+    return internal::tetgen_failure(code, message);
+  Tetrahedral_mesh result;
+  if(!internal::unpack_tetgen(closed, bytes, result))
+    return internal::tetgen_failure(0, message);
+  result.triangles = boundary_triangles(result);
+  volume = std::move(result);
+  return Status::success;
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_USE_TETGEN
+
+#endif // CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_WITH_TETGEN_H

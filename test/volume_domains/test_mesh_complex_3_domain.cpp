@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// Cells of a mesh complex of an implicit domain with two parts.
+
+#define BOOST_TEST_MODULE mesh_complex_3_domain
+#include <boost/test/included/unit_test.hpp>
+
+#include "volume_domains/volume_checks.h"
+
+#include <CGAL/Flip_free_maps/domains/Mesh_complex_3_domain.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+namespace FFM = CGAL::Flip_free_maps;
+using namespace test_support;
+using FFM::Status;
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Labeled_mesh_domain_3<Kernel> Mesh_domain;
+typedef CGAL::Mesh_triangulation_3<Mesh_domain>::type Triangulation;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> Mesh_complex;
+typedef CGAL::Mesh_criteria_3<Triangulation> Mesh_criteria;
+
+// The unit ball, label 2 on the right of a plane and 1 on the left of it.
+Mesh_complex ball_of_two_parts()
+{
+  namespace params = CGAL::parameters;
+  const auto label = [](const Kernel::Point_3& p) {
+    return CGAL::squared_distance(p, Kernel::Point_3(CGAL::ORIGIN)) > 1 ? 0 : p.x() > 0.2 ? 2 : 1;
+  };
+  const Mesh_domain domain = Mesh_domain(label, Kernel::Sphere_3(CGAL::ORIGIN, 2.), params::relative_error_bound = 1e-4);
+  const Mesh_criteria criteria(params::facet_angle = 25, params::facet_size = 0.3, params::facet_distance = 0.03,
+                               params::cell_radius_edge_ratio = 2, params::cell_size = 0.35);
+  return CGAL::make_mesh_3<Mesh_complex>(domain, criteria);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(mesh_complex)
+{
+  const Mesh_complex complex = ball_of_two_parts();
+  BOOST_TEST_REQUIRE(complex.number_of_cells_in_complex() > 100);
+  std::map<Mesh_complex::Vertex_handle, int> numbers;
+  FFM::Tetrahedral_mesh mesh, right;
+  double volume = 0;
+  for(auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c) {
+    std::array<int, 4> t;
+    for(int k = 0; k < 4; ++k) {
+      const auto entry = numbers.emplace(c->vertex(k), static_cast<int>(mesh.points.size()));
+      if(entry.second) {
+        const Kernel::Point_3 p = c->vertex(k)->point().point();
+        mesh.points.push_back({{p.x(), p.y(), p.z()}});
+      }
+      t[k] = entry.first->second;
+    }
+    mesh.tetrahedra.push_back(t);
+    if(complex.subdomain_index(c) == 2)
+      right.tetrahedra.push_back(t);
+    volume += CGAL::abs(CGAL::volume(c->vertex(0)->point().point(), c->vertex(1)->point().point(), c->vertex(2)->point().point(),
+                                     c->vertex(3)->point().point()));
+  }
+  right.points = mesh.points;
+
+  FFM::Tetrahedral_domain expected;
+  FFM::Mesh_complex_3_domain<Mesh_complex> domain;
+  std::string message;
+  BOOST_TEST_REQUIRE((expected.load(mesh.points, mesh.tetrahedra, message) == Status::success), message);
+  BOOST_TEST_REQUIRE((domain.load(complex, message) == Status::success), message);
+  BOOST_TEST(Fingerprint::of(domain).distance(Fingerprint::of(expected)) < 1e-11);
+  BOOST_TEST(std::abs(domain.domain().scale / std::cbrt(volume) - 1) < 1e-12);
+  BOOST_TEST((volume > 3.6 && volume < 4.19));
+
+  // The right part alone has fewer vertices.
+  BOOST_TEST_REQUIRE((expected.load(right.points, right.tetrahedra, message) == Status::success), message);
+  FFM::Mesh_complex_3_domain<Mesh_complex> part;
+  BOOST_TEST_REQUIRE((part.load(complex, 2, message) == Status::success), message);
+  BOOST_TEST(Fingerprint::of(part).distance(Fingerprint::of(expected)) < 1e-11);
+  BOOST_TEST(part.vertices().size() < domain.vertices().size());
+  BOOST_TEST((part.load(complex, 3, message) == Status::empty_mesh));
+
+  std::unordered_map<Mesh_complex::Vertex_handle, Kernel::Point_3> result;
+  BOOST_TEST((domain.write_back(domain.domain().rest_points, boost::make_assoc_property_map(result), message) == Status::success));
+  BOOST_TEST(result.size() == mesh.points.size());
+  for(const auto& entry : result)
+    BOOST_TEST(CGAL::squared_distance(entry.second, entry.first->point().point()) < 1e-28);
+}
