@@ -12,10 +12,17 @@
 The concept `Acceleration` describes what is made of successive gradients and the factorized preconditioner: the direction in
 which the next step is taken.
 
+A further member function is optional: `bool extrapolate(const Eigen::VectorXd& x, Eigen::VectorXd& displacement)`, called after
+every accepted step on the rest shape with its result. If it returns `true`, the minimizer goes on by `displacement`, or as far
+along it as no element flips, before the next gradient is computed, unless that undoes the last decrease of the energy; then
+`reset()` is called.
+
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Flip_free_maps::Any_acceleration}
 \cgalHasModels{CGAL::Flip_free_maps::Lbfgs}
+\cgalHasModels{CGAL::Flip_free_maps::Nesterov}
 \cgalHasModels{CGAL::Flip_free_maps::No_acceleration}
 \cgalHasModelsEnd
 
@@ -33,7 +40,7 @@ public:
   /// Computes a direction.
   /// \tparam Solve is a functor `bool operator()(const Eigen::VectorXd& b, Eigen::VectorXd& y)`, which sets y to the inverse of
   ///   the last factorized matrix times b. It returns `false` if that failed. b and y must be different objects.
-  /// \param x the current positions, coordinates of one vertex side by side
+  /// \param x the current positions of the vertices that are not fixed, coordinates of one vertex side by side
   /// \param gradient the gradient of the energy there, in the same layout
   /// \param solve applies the inverse of the preconditioner
   /// \param direction receives the direction, to be added to the positions (not to be subtracted). It is resized by this

@@ -21,7 +21,9 @@ The functions are templates in the dimension `D`, the number of singular values,
 An energy that exists in one dimension only may define them for that dimension alone. They are called from several threads at
 once and must not change the object.
 
-A further member function is optional: `slim_target()`, see `CGAL::Flip_free_maps::Slim`.
+Further members are optional: `slim_target()`, see `CGAL::Flip_free_maps::Slim`; `has_composite_form` and `composite_form()`, see
+`CGAL::Flip_free_maps::Composite_majorization` and `CGAL::Flip_free_maps::Neo_hookean`; and `bool holds_barrier() const`, which
+overrides `has_barrier` for energies that are chosen at run time.
 
 \cgalRefines{CopyConstructible}
 
@@ -50,7 +52,8 @@ class DistortionEnergy
 public:
   /// Whether \f$\psi\f$ grows without bound when an element collapses. The package then takes the energy of an element whose
   /// smallest singular value is not positive for infinite, and never evaluates it there. Without a barrier maps are kept free
-  /// of flips all the same, but by the bound on the step length alone.
+  /// of flips all the same, but by the bound on the step length alone, unless
+  /// `CGAL::Flip_free_maps::Map_options::allow_flips` is set.
   static constexpr bool has_barrier = unspecified;
 
   /// The name of the energy in reports, such as "symmetric_dirichlet": a constant C string.

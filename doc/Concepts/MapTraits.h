@@ -15,6 +15,7 @@ The algorithms copy the traits and change only their copy.
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Flip_free_maps::Any_map_traits}
 \cgalHasModels{CGAL::Flip_free_maps::Flip_free_map_traits}
 \cgalHasModelsEnd
 

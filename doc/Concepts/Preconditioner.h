@@ -17,15 +17,31 @@ and solves for the direction. A preconditioner never sees a mesh nor a linear so
 The full direction is the step that the quadratic form finds best, so the form should approximate the Hessian of the energy,
 factor 1/2 not included: the energy itself gives `stretch` \f$= [\psi_{ij}]\f$.
 
+Further members are optional:
+
+- `void begin_iteration(const CGAL::Flip_free_maps::Run_state& state)`, called before each iteration, lets the form change in the
+  course of a run.
+- `bool can_retreat() const` and `void retreat()`, both or none: a form that may be indefinite is tried as long as
+  `can_retreat()`. When the matrix turns out not to be positive definite, or gives no direction of descent, `retreat()` is called
+  and the forms are written anew; from then on until the next `begin_iteration()` they must be positive semidefinite and
+  `can_retreat()` must be `false`.
+- `bool is_constant() const` overrides `Category` for preconditioners that are chosen at run time.
+- `clamps_element_matrices`, a `bool`: whether the package is to project each element's matrix on the displacements of its
+  vertices to the positive semidefinite ones. The form itself may be indefinite then.
+
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Flip_free_maps::Any_preconditioner}
 \cgalHasModels{CGAL::Flip_free_maps::Composite_majorization}
+\cgalHasModels{CGAL::Flip_free_maps::Hybrid}
 \cgalHasModels{CGAL::Flip_free_maps::Killing}
 \cgalHasModels{CGAL::Flip_free_maps::Laplacian}
+\cgalHasModels{CGAL::Flip_free_maps::Newton}
 \cgalHasModels{CGAL::Flip_free_maps::Projected_newton}
 \cgalHasModels{CGAL::Flip_free_maps::Slim}
 \cgalHasModels{CGAL::Flip_free_maps::Slim_newton}
+\cgalHasModels{CGAL::Flip_free_maps::Vertex_space_newton}
 \cgalHasModelsEnd
 
 \sa `CGAL::Flip_free_maps::PreconditionerConcept`
@@ -39,7 +55,7 @@ public:
   typedef unspecified_type Category;
 
   /// Whether steps of length 1 are natural, as for Newton's method. Steps beyond 1 are tried, and short relative decreases of
-  /// the energy count as convergence at once, only if so.
+  /// the energy count as convergence at once, only if so. A data member serves as well as a constant.
   static constexpr bool is_second_order = unspecified;
 
   /// The name of the preconditioner in reports, such as "newton": a constant C string.
@@ -53,7 +69,7 @@ public:
   /// \param state singular values and the derivatives of the energy there
   /// \param energy the energy itself, for what the state does not tell
   /// \param form receives the form. On entry all `pairs` are zero and `stretch` is not initialised. The result must be
-  ///   symmetric, positive semidefinite and finite.
+  ///   symmetric, positive semidefinite (but see above) and finite.
   template <int D, typename Energy>
   void form(const CGAL::Flip_free_maps::Element_state<D>& state, const Energy& energy,
             CGAL::Flip_free_maps::Increment_form<D>& form) const;

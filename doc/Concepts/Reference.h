@@ -16,6 +16,7 @@ end, but may be another one on the way there.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_free_maps::Fixed_reference}
+\cgalHasModels{CGAL::Flip_free_maps::Progressive_reference}
 \cgalHasModelsEnd
 
 \sa `CGAL::Flip_free_maps::ReferenceConcept`
@@ -26,15 +27,23 @@ public:
   /// The name of the reference in reports, such as "fixed": a constant C string.
   static const char* name();
 
-  /// Chooses the reference of the next iteration. Called with the start and after every accepted step.
+  /// Forgets earlier runs. Called at the beginning of a run, before the first `update()`.
+  void restart();
+
+  /// Chooses the reference of the next iteration. Called with the start, and after every accepted step until the reference is the
+  /// rest shape, which it then is for the rest of the run.
   /// \param domain the rest shape
-  /// \param x the map so far, without flipped elements after an accepted step; the start is handed over before it is checked
+  /// \param x the map so far, without flipped elements unless `CGAL::Flip_free_maps::Map_options::allow_flips` let them pass
   /// \returns whether the new reference is the rest shape. Convergence is declared on the rest shape only.
   template <int D>
   bool update(const CGAL::Flip_free_maps::Simplicial_domain<D>& domain, const CGAL::Flip_free_maps::Positions<D>& x);
 
-  /// The inverse of the edge matrix of element `e` in this reference, with positive determinant. Called from several threads at
-  /// once. The result must stay where it is until the next `update()`.
+  /// The relative decrease, by the last iteration, of a measure of distortion of the reference's own choice; infinite before there
+  /// is one. It is what preconditioners are told while the reference is not the rest shape.
+  double relative_decrease() const;
+
+  /// The inverse of the edge matrix of element `e` in this reference, with positive determinant, by value or as a reference that
+  /// is valid until the next `update()`. Called from several threads at once.
   template <int D>
   const Eigen::Matrix<double, D, D>& rest_inverse(const CGAL::Flip_free_maps::Simplicial_domain<D>& domain, std::int64_t e) const;
 

@@ -19,6 +19,7 @@ are reported by the returned values, not by exceptions other than `std::bad_allo
 tries others with a larger diagonal.
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Flip_free_maps::Any_linear_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Cholmod_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Eigen_simplicial_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Sparse_linear_algebra_solver}

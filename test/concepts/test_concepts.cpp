@@ -11,17 +11,23 @@
 #define BOOST_TEST_MODULE concepts
 #include <boost/test/included/unit_test.hpp>
 
+#include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
+#include <CGAL/Flip_free_maps/accelerations/Nesterov.h>
 #include <CGAL/Flip_free_maps/concepts.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Sparse_linear_algebra_solver.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 #include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
+#include <CGAL/Flip_free_maps/preconditioners/Hybrid.h>
 #include <CGAL/Flip_free_maps/preconditioners/Killing.h>
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
+#include <CGAL/Flip_free_maps/preconditioners/Newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
+#include <CGAL/Flip_free_maps/preconditioners/Vertex_space_newton.h>
+#include <CGAL/Flip_free_maps/references/Progressive_reference.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -48,7 +54,9 @@ struct Record
   bool solver_order_kept = true;
   int values = 0;
   int forms = 0;
+  int restarts = 0;
   int updates = 0;
+  int decreases = 0;
   int rules = 0;
   int resets = 0;
   int directions = 0;
@@ -133,12 +141,23 @@ struct Archetype_reference : Only_from_int
   using Only_from_int::Only_from_int;
   static const char* name() { return "archetype"; }
 
+  // Claims to be another shape in the first two iterations.
+  void restart()
+  {
+    ++record.restarts;
+    m_updates = 0;
+  }
   template <int D>
   bool update(const FFM::Simplicial_domain<D>& domain, const FFM::Positions<D>& x)
   {
     ++record.updates;
-    record.reference_arguments_kept = record.reference_arguments_kept && x.cols() == domain.number_of_vertices;
-    return true;
+    record.reference_arguments_kept = record.reference_arguments_kept && x.cols() == domain.number_of_vertices && m_updates < 3;
+    return ++m_updates == 3;
+  }
+  double relative_decrease() const
+  {
+    ++record.decreases;
+    return 1;
   }
   template <int D>
   const Eigen::Matrix<double, D, D>& rest_inverse(const FFM::Simplicial_domain<D>& domain, std::int64_t e) const
@@ -150,6 +169,9 @@ struct Archetype_reference : Only_from_int
   {
     return domain.measures[e];
   }
+
+private:
+  int m_updates = 0;
 };
 
 struct Archetype_acceleration : Only_from_int
@@ -289,7 +311,11 @@ BOOST_AUTO_TEST_CASE(archetypes_minimize)
   BOOST_TEST(record.values > 0);
   BOOST_TEST(record.forms > 0);
   BOOST_TEST(record.resets >= 1);
-  BOOST_TEST(record.updates == summary.iterations + 1);
+  // The reference is asked until it is the rest shape, and for its decrease while it is not.
+  BOOST_TEST(record.restarts == 1);
+  BOOST_TEST(record.updates == 3);
+  BOOST_TEST(record.decreases == 2);
+  BOOST_TEST(summary.iterations >= 2);
   BOOST_TEST(record.directions >= summary.iterations);
   BOOST_TEST(record.solvers == 1);
   BOOST_TEST(record.analyses == 1);
@@ -342,12 +368,21 @@ BOOST_AUTO_TEST_CASE(models)
   BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Slim_newton, Energy, 3>));
   BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Projected_newton, Energy, 2>));
   BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Projected_newton, Energy, 3>));
+  BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Newton, Energy, 2>));
+  BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Newton, Energy, 3>));
+  BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Vertex_space_newton, Energy, 2>));
+  BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Vertex_space_newton, Energy, 3>));
+  BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Hybrid<>, Energy, 2>));
+  BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Hybrid<>, Energy, 3>));
   BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Composite_majorization<true>, Energy, 2>));
   BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<FFM::Composite_majorization<false>, Energy, 2>));
 
   BOOST_CONCEPT_ASSERT((FFM::ReferenceConcept<FFM::Fixed_reference, 2>));
   BOOST_CONCEPT_ASSERT((FFM::ReferenceConcept<FFM::Fixed_reference, 3>));
+  BOOST_CONCEPT_ASSERT((FFM::ReferenceConcept<FFM::Progressive_reference, 2>));
+  BOOST_CONCEPT_ASSERT((FFM::ReferenceConcept<FFM::Progressive_reference, 3>));
   BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::No_acceleration>));
+  BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Nesterov>));
   BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Lbfgs>));
   BOOST_CONCEPT_ASSERT((FFM::RefactorizationRuleConcept<FFM::Every_iteration>));
   BOOST_CONCEPT_ASSERT((FFM::RefactorizationRuleConcept<FFM::On_demand>));
@@ -364,6 +399,8 @@ BOOST_AUTO_TEST_CASE(models)
 
   BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<Default_traits, 2>));
   BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<Default_traits, 3>));
+  BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<FFM::Any_map_traits, 2>));
+  BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<FFM::Any_map_traits, 3>));
 
   // Names are what reports tell models apart by.
   BOOST_TEST(std::string(Energy::name()) == "symmetric_dirichlet");

@@ -16,6 +16,7 @@
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/constraints/Soft_positions.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/Handle_groups.h>
 #include <CGAL/Flip_free_maps/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
@@ -389,11 +390,14 @@ private:
     if(progress.characteristic_gradient_norm <= options.characteristic_gradient_tolerance)
       return stop("the characteristic norm of the gradient is within its tolerance");
     if(run.summary.iterations > run.first_iteration && options.relative_energy_tolerance > 0 &&
-       progress.relative_decrease <= options.relative_energy_tolerance &&
+       progress.relative_decrease <= options.relative_energy_tolerance && is_nearly_stationary(run) &&
        (progress.small_decreases >= options.stagnation_iterations || (progress.fresh && progress.step >= 0.5)))
       return stop("the relative decrease of the energy is within its tolerance");
     return false;
   }
+
+  // Where the energy is astronomical, by few elements that nearly collapse, small changes of it say nothing.
+  static bool is_nearly_stationary(const Run& run) { return run.progress.characteristic_gradient_norm <= 1; }
 
   bool factorize(Run& run)
   {
@@ -441,6 +445,9 @@ private:
     run.progress.largest_step =
       allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
     double largest = run.progress.largest_step;
+    // Long steps make up for a model that overestimates curvature, and do harm where it is right.
+    Map_options options = run.options;
+    options.begin_with_largest_step = options.begin_with_largest_step && !(run.progress.model_ratio <= TRUSTED_MODEL);
     // Rounding may leave an element of the accepted candidate collapsed or flipped although its energy was finite; then a
     // shorter step is searched.
     for(int i = 0; i < 10; ++i) {
@@ -449,7 +456,7 @@ private:
           run.trial = run.x + step * run.displacement;
           return m_objective.energy(m_traits.reference, run.trial);
         },
-        run.progress.energy, slope, largest, run.options.extend_steps && m_traits.preconditioner.is_second_order, run.options);
+        run.progress.energy, slope, largest, run.options.extend_steps && m_traits.preconditioner.is_second_order, options);
       run.summary.energy_evaluations += found.evaluations;
       if(!found.success)
         break;
@@ -472,11 +479,12 @@ private:
   bool recover(Run& run, bool solved, double slope)
   {
     // A stationary map has no direction of descent beyond rounding.
-    if(std::abs(slope) <= 1e-12 * std::abs(run.progress.energy) && run.is_rest_reference) {
+    if(std::abs(slope) <= 1e-12 * std::abs(run.progress.energy) && run.is_rest_reference && is_nearly_stationary(run)) {
       finish(run.summary, Status::success, "the predicted decrease of the energy is below rounding");
       return false;
     }
     if(m_age == 0 && retreat(run)) {
+      ++run.retries;
       m_is_factorized = false;
       return true;
     }
@@ -554,45 +562,38 @@ private:
     }
   }
 
-  // Leads the fixed vertices to their targets. In each round the quadratic model is minimised with the fixed vertices at their targets; the map
-  // goes in that direction half as far as it could without a flip, and is then optimised a little.
+  // Leads the fixed vertices to their targets. In each round the quadratic model is minimised with the fixed vertices at their targets, or
+  // part of the way to them; the map goes in that direction half as far as it could without a flip, and is then optimised a little.
   bool drag(Run& run, const Positions<D>& targets)
   {
     Summary& summary = run.summary;
     const Map_options options = run.options;
+    const internal::Handle_groups<D> groups(m_domain, [this](std::int32_t v) { return m_objective.is_fixed(v); });
     for(int round = 0; round < MAX_ROUNDS; ++round) {
+      bool is_last = false;
       Positions<D> handles = Positions<D>::Zero(D, run.x.cols());
-      for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
-        if(m_objective.is_fixed(v))
-          handles.col(v) = targets.col(v) - run.x.col(v);
+      if(!groups.next_displacement(run.x, targets, handles, is_last)) {
+        finish(summary, Status::non_finite_input, "a target is NaN or infinite");
+        return false;
+      }
       if((handles.array() == 0).all()) {
         run.options = options;
         summary.flips = 0;
         return true;
       }
-      if(!handles.allFinite()) {
-        finish(summary, Status::non_finite_input, "a target is NaN or infinite");
-        return false;
-      }
-      Eigen::VectorXd product;
-      m_objective.multiply(m_traits.reference, run.x, handles, product);
       const bool reuses = m_is_factorized && round == 0 && options.keep_factorization;
-      differentiate(run, !reuses);
-      if((!reuses && !factorize(run)) || !m_solver.solve(Eigen::VectorXd(run.gradient + product), run.direction)) {
+      if(!find_drag(run, handles, reuses)) {
         finish(summary, Status::linear_solver_failed, "no direction was found while the fixed vertices moved");
         return false;
       }
-      m_objective.spread(-run.direction, run.displacement);
-      run.displacement += handles;
-      const double largest = m_objective.largest_step(run.x, run.displacement);
+      const double largest =
+        allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
       double step = 0.5 * largest >= 1 ? 1 : 0.5 * largest;
       for(;; step *= 0.5) {
         run.trial = run.x + step * run.displacement;
         // The vertices arrive exactly.
-        if(step == 1)
-          for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
-            if(m_objective.is_fixed(v))
-              run.trial.col(v) = targets.col(v);
+        if(step == 1 && is_last)
+          groups.place(targets, run.trial);
         if(std::isfinite(m_objective.energy(m_traits.reference, run.trial)) && is_certified(run, run.trial))
           break;
         if(step < SHORTEST_ROUND) {
@@ -602,7 +603,10 @@ private:
       }
       run.x.swap(run.trial);
       measure(run);
-      if(step == 1)
+      // The matrix is one of an earlier map now.
+      m_is_factorized = reuses;
+      m_age = (std::max)(m_age, 1);
+      if(step == 1 && is_last)
         continue;
       run.options = options;
       run.options.max_iterations = summary.iterations - run.first_iteration + STEPS_PER_ROUND;
@@ -620,9 +624,26 @@ private:
         return false;
       }
     }
-    finish(summary, Status::unreachable_constraints, "the fixed vertices did not reach their positions in " +
-                                                       std::to_string(MAX_ROUNDS) + " rounds");
+    finish(summary, Status::unreachable_constraints,
+           "the fixed vertices did not reach their positions in " + std::to_string(MAX_ROUNDS) + " rounds");
     return false;
+  }
+
+  // The displacement of all vertices that minimises the quadratic model when the fixed vertices are displaced by `handles`.
+  bool find_drag(Run& run, const Positions<D>& handles, bool reuses)
+  {
+    if(m_objective.number_of_unknowns() == 0) {
+      run.displacement = handles;
+      return true;
+    }
+    Eigen::VectorXd product;
+    m_objective.multiply(m_traits.reference, run.x, handles, product);
+    differentiate(run, !reuses);
+    if((!reuses && !factorize(run)) || !m_solver.solve(Eigen::VectorXd(run.gradient + product), run.direction))
+      return false;
+    m_objective.spread(-run.direction, run.displacement);
+    run.displacement += handles;
+    return true;
   }
 
   Iteration_report report(const Run& run, double seconds) const
@@ -651,6 +672,8 @@ private:
   // A step below THROTTLED that ends at a collapsing element frees the elements that collapse within BLOCKED times its bound.
   static constexpr double THROTTLED = 0.3;
   static constexpr double BLOCKED = 4;
+  // Decrease of the energy over the predicted one up to which the quadratic model counts as right.
+  static constexpr double TRUSTED_MODEL = 1.1;
   // Of the way of fixed vertices to their targets: rounds, iterations between them, and the shortest part of the rest of the way.
   static constexpr int MAX_ROUNDS = 300;
   static constexpr int STEPS_PER_ROUND = 4;

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/concepts.h>
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Element_schedule.h>
@@ -20,7 +21,11 @@
 #include <CGAL/Flip_free_maps/splitting/Admm_splitting_step.h>
 #include <CGAL/Flip_free_maps/splitting/Linear_constraints.h>
 #include <CGAL/Flip_free_maps/splitting/Position_solver.h>
+#include <CGAL/Flip_free_maps/splitting/Proximal_map.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_errors.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
+
+#include <boost/concept_check.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +45,9 @@ namespace Flip_free_maps {
 /// have flipped elements: each Jacobian is split into a rotation and a stretch without flips, and the map is drawn towards them. The
 /// result is accepted only when exact predicates find every element positively oriented.
 ///
+/// The energy has many local minima once flipped elements are let in. From a start with many of them the result may be one in which the map
+/// turns twice around some vertices: all elements are positively oriented, but those around such a vertex overlap.
+///
 /// \tparam D dimension, 2 or 3
 /// \tparam Traits must be a model of `MapTraits`; its energy, linear solver, kernel and concurrency tag are used, and all of it for
 ///         the polish. The energy must be convex in the singular values, such as `Symmetric_gradient` and `Symmetric_dirichlet`.
@@ -51,6 +59,9 @@ template <int D, typename Traits = Flip_free_map_traits<CGAL::Default, Symmetric
           typename Step = Admm_splitting_step<D, typename Traits::Energy>>
 class Splitting_minimizer
 {
+  BOOST_CONCEPT_ASSERT((MapTraitsConcept<Traits, D>));
+  BOOST_CONCEPT_ASSERT((SplittingStepConcept<Step, typename Traits::Energy, D>));
+
   using Kernel = typename Traits::Kernel;
   using Tag = typename Traits::Concurrency_tag;
   using Energy = typename Traits::Energy;
@@ -78,9 +89,10 @@ public:
   /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged. Fixed
   ///   vertices keep their positions exactly.
   /// \returns what happened. When the run ends early, the last iterate without flipped elements is the result, and the status is
-  ///   `iteration_limit`, `time_limit` or `stopped_by_observer`; when there was none, it is `start_not_flip_free`, and
-  ///   `Summary::flips` tells how many flipped elements the last iterate had. Other failures are `invalid_option`,
-  ///   `non_finite_input`, `linear_solver_failed` and `out_of_memory`. No exception is thrown but those of the observer.
+  ///   `iteration_limit`, `time_limit` or `stopped_by_observer`; when there was none, it is `flips_remain`, and `Summary::flips` tells
+  ///   how many flipped elements the last iterate had. Other failures are `invalid_option`, `non_finite_input`,
+  ///   `unreachable_constraints` (all vertices are fixed, and elements flipped), `linear_solver_failed` and `out_of_memory`. No
+  ///   exception is thrown but those of the observer.
   Summary minimize(Positions<D>& x)
   {
     Summary summary;
@@ -89,13 +101,36 @@ public:
   }
 
   /// The same, adding to the counts and times of a given summary.
-  void minimize(Positions<D>& x, Summary& summary)
+  void minimize(Positions<D>& x, Summary& summary) { minimize(x, x, summary); }
+
+  /// The same, where the rotations and stretches in the beginning are those of another map, `model`. The first iterate is the map whose
+  /// Jacobians are the closest to the model's and which has the fixed vertices where `x` has them. So handles may be moved far: `model` is
+  /// the map before, in which nothing is flipped, and `x` the same with the handles at their new places. The positions that `x` gives
+  /// to other vertices do not matter then.
+  void minimize(Positions<D>& x, const Positions<D>& model, Summary& summary)
+  {
+    try {
+      Positions<D> result = x;
+      split(result, model, summary);
+      if(summary.is_valid() && m_options.polish)
+        polish(result, summary);
+      if(summary.is_valid())
+        x = std::move(result);
+    } catch(const std::bad_alloc&) {
+      finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
+    }
+    summary.peak_memory_mb = internal::peak_memory_mb();
+  }
+
+  /// The same without a polish, whatever the options say: a program that calls no other function is spared the compilation of
+  /// `Map_minimizer`.
+  void split(Positions<D>& x, const Positions<D>& model, Summary& summary)
   {
     summary.vertices = m_domain.number_of_vertices;
     summary.elements = m_domain.number_of_elements();
     summary.energy_name = Energy::name();
     summary.preconditioner = Step::name();
-    const Status bad = check(x, summary.message);
+    const Status bad = check(x, model, summary.message);
     if(bad != Status::success) {
       summary.status = bad;
       return;
@@ -104,10 +139,8 @@ public:
       Positions<D> result = x;
       {
         const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
-        run(result, summary);
+        run(result, model, summary);
       }
-      if(summary.is_valid() && m_options.polish)
-        polish(result, summary);
       if(summary.is_valid())
         x = std::move(result);
     } catch(const std::bad_alloc&) {
@@ -123,13 +156,13 @@ private:
     summary.message = message;
   }
 
-  Status check(const Positions<D>& x, std::string& message) const
+  Status check(const Positions<D>& x, const Positions<D>& model, std::string& message) const
   {
     if(!m_options.is_valid(&message) || !m_traits.options.is_valid(&message) ||
        !m_constraints.is_valid(m_domain.number_of_vertices, &message) ||
        !m_linear_constraints.is_valid(m_domain.number_of_vertices, &message))
       return Status::invalid_option;
-    if(x.cols() != m_domain.number_of_vertices) {
+    if(x.cols() != m_domain.number_of_vertices || model.cols() != x.cols()) {
       message = "the start must have a column for each vertex";
       return Status::invalid_option;
     }
@@ -137,7 +170,7 @@ private:
       message = "a map under linear constraints cannot be polished";
       return Status::invalid_option;
     }
-    if(!x.allFinite()) {
+    if(!x.allFinite() || !model.allFinite()) {
       message = "the start has positions that are not finite";
       return Status::non_finite_input;
     }
@@ -161,7 +194,7 @@ private:
     return total;
   }
 
-  void run(Positions<D>& x, Summary& summary)
+  void run(Positions<D>& x, const Positions<D>& model, Summary& summary)
   {
     typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
     internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver);
@@ -173,11 +206,13 @@ private:
     summary.energy = summary.energy_initial = flips == 0 ? energy(x) : std::numeric_limits<double>::infinity();
     const bool inert = m_options.proximal_rotation == Proximal_rotation::on ||
                        (m_options.proximal_rotation == Proximal_rotation::automatic && flips <= MANY_FLIPS * m_domain.number_of_elements());
+    // With a model of its own, the first iterate is to come near it; the Jacobians of x are entered so that its increment is right.
     {
       const internal::Phase_timer timer(summary.seconds.assemble);
       m_elements.resize(m_domain.elements.size());
       for_each_element<Splitting_errors>([&](std::int64_t e, Splitting_errors&) {
-        m_step.start(m_domain.jacobian(e, x), m_domain.measures[e], inert, m_elements[e]);
+        m_step.start(m_domain.jacobian(e, model), m_domain.measures[e], inert, m_elements[e]);
+        m_elements[e].jacobian = m_domain.jacobian(e, x);
       });
     }
     if(positions.has_unknowns() && !positions.analyze_pattern(solver)) {
@@ -249,7 +284,7 @@ private:
       {
         const internal::Phase_timer timer(summary.seconds.assemble);
         const Splitting_errors errors = for_each_element<Splitting_errors>([&](std::int64_t e, Splitting_errors& sums) {
-          m_step.update(m_domain.jacobian(e, x), m_domain.measures[e], adapt, inert, m_elements[e], sums);
+          m_step.update(m_domain.jacobian(e, x), m_domain.measures[e], adapt, flips != 0, inert, m_elements[e], sums);
         });
         report.primal_error = std::sqrt(errors.primal);
         report.dual_error = std::sqrt(errors.dual);
@@ -289,7 +324,7 @@ private:
     if(!summary.is_valid())
       return;
     if(summary.flips != 0) {
-      finish(summary, Status::start_not_flip_free,
+      finish(summary, Status::flips_remain,
              summary.message + ", and " + std::to_string(summary.flips) + " elements are still flipped");
       return;
     }

@@ -27,6 +27,17 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
+/// Settings of `deform_volume()`.
+struct Deform_volume_options
+{
+  /// If positive, handles are pulled to their targets instead of being held there: this times the squared distance in the domain's
+  /// units, in which the volume is 1, is added to the mean energy for each.
+  double soft_weight = 0;
+  /// The shape to begin with, without flips: user's coordinates of the vertices by their numbers in the domain. Empty for the rest shape.
+  Positions<3> start = Positions<3>(3, 0);
+};
+
+/// \ingroup PkgFlipFreeMapsRef
 /// Deforms a solid: vertices that are handles go where they are told, the others follow with as little distortion as possible, and no
 /// tetrahedron flips. For handles that move again and again see `Deformation`.
 ///
@@ -40,15 +51,14 @@ namespace Flip_free_maps {
 /// \param result receives the deformed positions of all vertices of tetrahedra. It is written once, at the end, if the map is valid, and left
 ///   untouched otherwise; the points of the user's mesh are never moved.
 /// \param traits the method and its settings
-/// \param soft_weight if positive, handles are pulled to their targets instead of being held there: this times the squared distance in the
-///   domain's units, in which the volume is 1, is added to the mean energy for each
+/// \param options soft handles, and another start
 ///
 /// \returns how it ended and what it cost: a valid map, or one of `empty_mesh`, `several_components` (each needs handles of its own: deform
 ///   them one by one), `invalid_option`, `unreachable_constraints`, `non_finite_input`, `linear_solver_failed`, `line_search_failed`,
 ///   `result_not_representable` and `out_of_memory`
 template <typename Vertex, typename Handles, typename VertexPointMap, typename Traits = Flip_free_map_traits<>>
 Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handles, VertexPointMap result, const Traits& traits = Traits(),
-                      double soft_weight = 0)
+                      const Deform_volume_options& options = Deform_volume_options())
 {
   Summary summary;
   const Simplicial_domain<3>& domain = volume.domain();
@@ -62,23 +72,28 @@ Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handle
       return fail(Status::empty_mesh, "the domain holds no tetrahedra");
     if(volume.number_of_components() > 1)
       return fail(Status::several_components, "the tetrahedra form several components");
+    if(!(options.soft_weight >= 0) || (options.start.cols() != 0 && options.start.cols() != domain.number_of_vertices))
+      return fail(Status::invalid_option, "soft_weight must not be negative, and a start must have a column for each vertex");
     Position_constraints<3> constraints;
     std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
-    Positions<3> x = domain.rest_points, targets = x;
+    Positions<3> x = domain.rest_points;
+    summary.start = options.start.cols() == 0 ? "rest shape" : "given";
+    if(options.start.cols() != 0)
+      x = (options.start.colwise() - domain.origin) / domain.scale;
+    Positions<3> targets = x;
     for(const auto& handle : handles) {
       const std::int32_t v = volume.number(handle.first);
       if(v < 0)
         return fail(Status::invalid_option, "a handle is not a vertex of a tetrahedron");
       const Eigen::Vector3d place(CGAL::to_double(handle.second[0]), CGAL::to_double(handle.second[1]), CGAL::to_double(handle.second[2]));
-      if(soft_weight > 0) {
-        constraints.soft_positions.push_back({v, volume.to_domain(place), soft_weight});
+      if(options.soft_weight > 0) {
+        constraints.soft_positions.push_back({v, volume.to_domain(place), options.soft_weight});
         continue;
       }
       constraints.fixed_vertices.push_back(v);
       targets.col(v) = volume.to_domain(place);
       exact_places.emplace_back(v, place);
     }
-    summary.start = "rest shape";
     Map_minimizer<3, Traits> minimizer(domain, traits, constraints);
     minimizer.move_fixed_vertices(x, targets, summary);
     if(!summary.is_valid())

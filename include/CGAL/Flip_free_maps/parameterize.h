@@ -97,19 +97,18 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
   used.options.max_iterations = static_cast<int>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), used.options.max_iterations));
 
-  constexpr bool IS_START_GIVEN = internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value;
-  const auto given = [&np](auto v, auto& p) {
-    if constexpr(IS_START_GIVEN) {
+  const auto given = [&](auto v, auto& p) {
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value) {
       const auto& q = get(get_parameter(np, internal::start_map_tag), v);
       p << CGAL::to_double(q[0]), CGAL::to_double(q[1]);
     }
     static_cast<void>(v);
     static_cast<void>(p);
-    return IS_START_GIVEN;
+    return internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value;
   };
   const auto start = [&](const Simplicial_domain<2>& domain, const auto& vertices, Positions<2>& x, std::string& name,
                          std::string& message) {
-    if(!IS_START_GIVEN)
+    if(!internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value)
       return internal::make_start(domain, used, x, name, message);
     name = "given";
     x.resize(2, domain.number_of_vertices);

@@ -28,6 +28,10 @@ namespace Flip_free_maps {
 template <typename First = Slim, typename Second = Projected_newton>
 struct Hybrid
 {
+  static_assert(!internal::Has_retreat<First>::value && !internal::Has_retreat<Second>::value &&
+                  !internal::Clamps_element_matrices<First>::value && !internal::Clamps_element_matrices<Second>::value,
+                "Hybrid passes on neither retreats nor clamps");
+
   using Category = Varying_matrix_tag; ///< depends on the current map
   static constexpr bool is_second_order = First::is_second_order && Second::is_second_order; ///< whether full steps are natural
   static const char* name() { return "hybrid"; } ///< "hybrid"

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/internal/Signed_svd.h>
 #include <CGAL/Flip_free_maps/splitting/Proximal_map.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_errors.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 #include <CGAL/Flip_free_maps/splitting/closest_rotation.h>
 
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -36,29 +36,6 @@ struct Split_element
   internal::Matrix<D> dual;     ///< L, the scaled dual variable
   double penalty;               ///< mu
   double inertia;               ///< h / mu, how strongly R keeps to the rotation of the iteration before
-};
-
-/// \ingroup PkgFlipFreeMapsSplitting
-/// Squares of the errors of elements and of what they are compared with, weighted by the elements' measures and summed.
-struct Splitting_errors
-{
-  double primal = 0;         ///< |J - R P|^2
-  double dual = 0;           ///< |mu / A (J - previous J)|^2
-  double primal_scale = 0;   ///< |J|^2
-  double dual_scale = 0;     ///< |mu / A L|^2
-  std::int64_t flips = 0;    ///< elements whose Jacobian has no positive determinant in floating point
-  std::int64_t adapted = 0;  ///< elements whose penalty changed
-
-  Splitting_errors& operator+=(const Splitting_errors& other)
-  {
-    primal += other.primal;
-    dual += other.dual;
-    primal_scale += other.primal_scale;
-    dual_scale += other.dual_scale;
-    flips += other.flips;
-    adapted += other.adapted;
-    return *this;
-  }
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
@@ -125,8 +102,10 @@ public:
   }
 
   /// All steps of one element after the positions have been solved for: rotation, stretch, dual variable; on request also the penalty. The
-  /// errors are added to `errors`.
-  void update(const Matrix& jacobian, double measure, bool adapt, bool inert, Element& element, Splitting_errors& errors) const
+  /// errors are added to `errors`. While elements are flipped, `has_flips`, the constraint J = R P matters more than the energy: then the
+  /// movement of the Jacobian counts by the penalty itself, and not per measure, so that penalties rise almost everywhere.
+  void update(const Matrix& jacobian, double measure, bool adapt, bool has_flips, bool inert, Element& element,
+              Splitting_errors& errors) const
   {
     const double moved = (jacobian - element.jacobian).squaredNorm();
     element.jacobian = jacobian;
@@ -142,7 +121,7 @@ public:
     errors.dual_scale += measure * relative * relative * element.dual.squaredNorm();
     errors.flips += !(jacobian.determinant() > 0);
     if(adapt)
-      errors.adapted += adapt_penalty(measure, std::sqrt(primal), std::sqrt(dual), inert, element);
+      errors.adapted += adapt_penalty(measure, std::sqrt(primal), std::sqrt(dual) * (has_flips ? measure : 1), inert, element);
   }
 
   /// Raises or lowers the penalty so that the two errors become alike, but not below the bound under which the stretch is known to be

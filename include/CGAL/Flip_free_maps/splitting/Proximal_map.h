@@ -8,16 +8,20 @@
 #ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_PROXIMAL_MAP_H
 #define CGAL_FLIP_FREE_MAPS_SPLITTING_PROXIMAL_MAP_H
 
+#include <CGAL/Flip_free_maps/concepts.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/internal/Signed_svd.h>
 #include <CGAL/Flip_free_maps/internal/project_to_psd.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_errors.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 
 #include <boost/concept_check.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -54,16 +58,59 @@ inline double positive_root(double a, double q, double k)
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsConcepts
-/// Checks that `Energy` is a model of `ProximalEnergy` for maps of dimension `D`: a model of `DistortionEnergy` with a const member
-/// function template `proximal<D>(q, c)` that returns the positive p with the least c psi(p) + 1/2 |p - q|^2, for any q in descending
-/// order and c > 0.
+/// Checks that `Energy` is a model of `ProximalEnergy` for maps of dimension `D`.
 template <typename Energy, int D>
 struct ProximalEnergyConcept
+  : DistortionEnergyConcept<Energy, D>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ProximalEnergyConcept)
   {
     static_assert(internal::Has_proximal<Energy, D>::value, "an energy needs a member function proximal<D>(q, c)");
+    const auto check = &ProximalEnergyConcept::requirements;
+    boost::ignore_unused_variable_warning(check);
+  }
+
+private:
+  static void requirements(const Energy& energy, const internal::Vector<D>& q, double c)
+  {
+    const internal::Vector<D> p = energy.template proximal<D>(q, c);
+    boost::ignore_unused_variable_warning(p);
+  }
+  /// \endcond
+};
+
+/// \ingroup PkgFlipFreeMapsConcepts
+/// Checks that `Step` is a model of `SplittingStep` for maps of dimension `D` and a given energy.
+template <typename Step, typename Energy, int D>
+struct SplittingStepConcept
+{
+  /// \cond SKIP_IN_MANUAL
+  BOOST_CONCEPT_USAGE(SplittingStepConcept)
+  {
+    const auto check = &SplittingStepConcept::requirements;
+    boost::ignore_unused_variable_warning(check);
+  }
+
+private:
+  using Matrix = internal::Matrix<D>;
+
+  static void requirements(const Energy& energy, const Splitting_options& options, double measure, bool yes,
+                           Splitting_errors& errors)
+  {
+    const std::string name = Step::name();
+    const Step step(energy, options);
+    typename Step::Element element;
+    const typename Step::Element copy(element);
+    const Matrix& jacobian = copy.jacobian;
+    const double penalty = copy.penalty;
+    element.jacobian = jacobian;
+    step.start(jacobian, measure, yes, element);
+    step.update(jacobian, measure, yes, yes, yes, element, errors);
+    const Matrix pull = Step::pull(copy);
+    boost::ignore_unused_variable_warning(name);
+    boost::ignore_unused_variable_warning(penalty);
+    boost::ignore_unused_variable_warning(pull);
   }
   /// \endcond
 };

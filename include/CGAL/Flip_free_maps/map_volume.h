@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_MAP_VOLUME_H
+#define CGAL_FLIP_FREE_MAPS_MAP_VOLUME_H
+
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/repair_map.h>
+#include <CGAL/Flip_free_maps/splitting/uniform_extension.h>
+
+#include <cstdint>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsSplitting
+/// Where the vertices inside begin in `map_volume()`.
+enum class Volume_start
+{
+  extension, ///< each at the mean of its neighbours, which may flip elements
+  given      ///< where the caller has them
+};
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Maps a volume whose boundary is mapped already to the volume inside the image of the boundary: volume correspondence (Stein, Li and
+/// Solomon 2022, section 8.3). Flips of the start are removed by `repair_map()`, then the distortion is minimised.
+///
+/// \tparam Traits must be a model of `MapTraits`. <b>Default:</b> the symmetric gradient energy, which changes volumes less than the
+///         symmetric Dirichlet energy does
+///
+/// \param domain the tetrahedra with their rest shapes
+/// \param boundary_vertices the vertices whose positions are prescribed: usually all those on the boundary
+/// \param x the prescribed positions, in the domain's units, in the columns of these vertices; on return the map if the summary
+///   `is_valid()`, otherwise unchanged. Prescribed positions are kept exactly.
+/// \param start where the other vertices begin
+/// \param options how flips are removed, and whether the distortion is minimised at the end
+/// \param traits the method of the minimisation
+/// \returns what happened, as `repair_map()`; `linear_solver_failed` also where a component of the volume has no prescribed position and
+///   `start` is `Volume_start::extension`
+template <typename Traits = Flip_free_map_traits<CGAL::Default, Symmetric_gradient>>
+Summary map_volume(const Simplicial_domain<3>& domain, const std::vector<std::int32_t>& boundary_vertices, Positions<3>& x,
+                   Volume_start start = Volume_start::extension, const Repair_options& options = Repair_options(),
+                   const Traits& traits = Traits())
+{
+  Position_constraints<3> constraints;
+  constraints.fixed_vertices = boundary_vertices;
+  Summary summary;
+  summary.vertices = domain.number_of_vertices;
+  summary.elements = domain.number_of_elements();
+  summary.status = Status::invalid_option;
+  if(!constraints.is_valid(domain.number_of_vertices, &summary.message))
+    return summary;
+  if(x.cols() != domain.number_of_vertices) {
+    summary.message = "the positions must have a column for each vertex";
+    return summary;
+  }
+  try {
+    Positions<3> result = x;
+    double seconds = 0;
+    if(start == Volume_start::extension) {
+      const internal::Phase_timer timer(seconds);
+      if(!internal::uniform_extension(domain, boundary_vertices, traits.make_linear_solver(), result)) {
+        summary.status = Status::linear_solver_failed;
+        summary.message = "the vertices inside could not be placed: each component needs prescribed positions";
+        return summary;
+      }
+    }
+    summary = repair_map(domain, result, constraints, options, traits);
+    summary.start = (start == Volume_start::extension ? "uniform extension, then " : "given positions, then ") + summary.start;
+    summary.seconds.start += seconds;
+    summary.seconds.total += seconds;
+    if(summary.is_valid())
+      x = result;
+  } catch(const std::bad_alloc&) {
+    summary.status = Status::out_of_memory;
+    summary.message = "memory was exhausted";
+  }
+  return summary;
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_MAP_VOLUME_H

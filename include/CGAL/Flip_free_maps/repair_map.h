@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_REPAIR_MAP_H
+#define CGAL_FLIP_FREE_MAPS_REPAIR_MAP_H
+
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/Splitting_minimizer.h>
+#include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/splitting/Foldover_free.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <string>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+namespace internal {
+
+// The halfedges of a mesh; a domain has none, so that the functions for meshes are out of the question for it.
+template <typename TriangleMesh>
+struct Halfedge_of
+{
+  using type = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+};
+
+template <int D>
+struct Halfedge_of<Simplicial_domain<D>> {};
+
+} // namespace internal
+
+/// \ingroup PkgFlipFreeMapsSplitting
+/// Settings of `repair_map()`.
+struct Repair_options
+{
+  Repair_options()
+  {
+    splitting.stop_when_flip_free = true;
+    splitting.max_iterations = 3000;
+  }
+
+  /// Settings of the first method, the splitting scheme with the symmetric gradient energy. Its `polish` is not used.
+  Splitting_options splitting;
+  /// Settings of the second method, tried when the first has failed.
+  Foldover_free_options foldover_free;
+  /// Whether the second method may be tried.
+  bool use_second_method = true;
+  /// Whether the repaired map is handed to `Map_minimizer`: the first flip-free map still has elements that are almost collapsed.
+  bool polish = true;
+  /// Whether the vertices on the border keep their positions, for domains that know their border.
+  bool fix_border = false;
+
+  /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
+  bool is_valid(std::string* message = nullptr) const { return splitting.is_valid(message) && foldover_free.is_valid(message); }
+};
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Turns any map into one without flipped elements: by the splitting scheme, stopped at its first iterate without flips (Stein, Li and
+/// Solomon 2022), where that fails by a regularised energy (Garanzha et al. 2021), and then minimises its distortion without flipping an
+/// element again. A map most of which is mirrored is mirrored first, if no position is constrained.
+///
+/// All elements are positively oriented then, but where flips were many the map may turn twice around a vertex, and the elements around it
+/// overlap, see `Splitting_minimizer`.
+///
+/// \tparam D dimension, 2 or 3
+/// \tparam Traits must be a model of `MapTraits`: what the polish minimises, and how
+///
+/// \param domain the simplices with their rest shapes
+/// \param x the map, in the domain's units; on return the result if the summary `is_valid()`, otherwise unchanged
+/// \param constraints fixed vertices keep their positions exactly
+/// \param options what is done
+/// \param traits the polish
+/// \returns what happened; `Summary::start` names the methods that were tried. When no method finds a map without flips, the status is
+///   `flips_remain`, and `Summary::flips` tells how many flipped elements the last method left. When the polish fails, the map that it
+///   was given is the result, and `Summary::message` says so. Other failures are those of `Splitting_minimizer::minimize()`;
+///   settings of the polish that are out of range are `invalid_option` even if there is no polish.
+///
+/// Complexity: see `Splitting_minimizer` and `Map_minimizer`.
+template <int D, typename Traits = Flip_free_map_traits<>>
+Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
+                   const Position_constraints<D>& constraints = Position_constraints<D>(),
+                   const Repair_options& options = Repair_options(), const Traits& traits = Traits())
+{
+  using Splitting_traits = Flip_free_map_traits<typename Traits::Kernel, Symmetric_gradient, CGAL::Default, CGAL::Default,
+                                                typename Traits::Linear_solver, CGAL::Default, CGAL::Default,
+                                                typename Traits::Concurrency_tag>;
+  Summary summary;
+  const auto run = [&] {
+    if(!options.is_valid(&summary.message) || !traits.options.is_valid(&summary.message) ||
+       !constraints.is_valid(domain.number_of_vertices, &summary.message)) {
+      summary.status = Status::invalid_option;
+      return;
+    }
+    Position_constraints<D> used = constraints;
+    if(options.fix_border)
+      used.fixed_vertices.insert(used.fixed_vertices.end(), domain.border.begin(), domain.border.end());
+
+    Positions<D> result = x;
+    if(used.empty() && x.cols() == domain.number_of_vertices && x.allFinite()) {
+      double mirrored = 0;
+      for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
+        if(domain.jacobian(e, x).determinant() < 0)
+          mirrored += domain.measures[e];
+      if(mirrored > 0.5)
+        result.row(0) *= -1;
+    }
+    const Positions<D> given = result;
+
+    Splitting_minimizer<D, Splitting_traits> splitter(domain, Splitting_traits(), used, options.splitting);
+    splitter.split(result, given, summary);
+    summary.start = "splitting, " + std::to_string(summary.iterations) + " iterations";
+    if(summary.status == Status::flips_remain && options.use_second_method) {
+      const int iterations = summary.iterations;
+      result = given;
+      const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
+      Foldover_free<D, Traits>(domain, traits, used, options.foldover_free).remove_flips(result, summary);
+      summary.start += ", then foldover-free energy, " + std::to_string(summary.iterations - iterations) + " steps";
+    }
+    if(!summary.is_valid())
+      return;
+
+    if(options.polish) {
+      const Summary before = summary;
+      Positions<D> polished = result;
+      Map_minimizer<D, Traits> minimizer(domain, traits, used);
+      {
+        const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
+        minimizer.minimize(polished, summary);
+      }
+      if(summary.is_valid())
+        result = polished;
+      else {
+        const std::string message = before.message + "; not polished: " + summary.message;
+        summary = before;
+        summary.message = message;
+      }
+    }
+    x = result;
+  };
+  try {
+    run();
+  } catch(const std::bad_alloc&) {
+    summary.status = Status::out_of_memory;
+    summary.message = "memory was exhausted";
+  }
+  summary.peak_memory_mb = internal::peak_memory_mb();
+  return summary;
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for the uv map of a surface patch.
+///
+/// \tparam TriangleMesh must be a model of `FaceListGraph` whose descriptors are `Hashable`
+/// \tparam VertexUVMap must be a model of `ReadWritePropertyMap` with vertex descriptors as keys and planar points as values
+/// \tparam Traits must be a model of `MapTraits`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a triangle mesh
+/// \param border_halfedge a halfedge on the border of the component to be mapped, which must be a topological disk
+/// \param uv_map the map, which is read; it is written once, at the end, if the result is valid, and left untouched otherwise
+/// \param options what is done
+/// \param traits the polish
+/// \param np optional named parameters, of which `vertex_point_map` is heeded
+template <typename TriangleMesh, typename VertexUVMap, typename Traits = Flip_free_map_traits<>,
+          typename NamedParameters = parameters::Default_named_parameters>
+Summary repair_map(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge,
+                   VertexUVMap uv_map, const Repair_options& options = Repair_options(), const Traits& traits = Traits(),
+                   const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto vertex_points =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+  Summary summary;
+  try {
+    Face_graph_domain<TriangleMesh> graph;
+    double load = 0;
+    {
+      const internal::Phase_timer timer(load);
+      summary.status = graph.load(mesh, border_halfedge, vertex_points, summary.message);
+    }
+    if(summary.status != Status::success)
+      return summary;
+    const Simplicial_domain<2>& domain = graph.domain();
+    Positions<2> x(2, domain.number_of_vertices);
+    for(std::size_t v = 0; v < graph.vertices().size(); ++v) {
+      const auto& p = get(uv_map, graph.vertices()[v]);
+      x.col(v) << CGAL::to_double(p[0]) / domain.scale, CGAL::to_double(p[1]) / domain.scale;
+    }
+    summary = repair_map(domain, x, Position_constraints<2>(), options, traits);
+    summary.seconds.load = load;
+    summary.seconds.total += load;
+    if(!summary.is_valid())
+      return summary;
+    x *= domain.scale;
+    internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
+  } catch(const std::bad_alloc&) {
+    summary.status = Status::out_of_memory;
+    summary.message = "memory was exhausted";
+  }
+  return summary;
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_REPAIR_MAP_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// The splitting against the Newton minimizer in space, from a start with flips, with fixed vertices.
+
+#define BOOST_TEST_MODULE splitting_in_space
+#include <boost/test/included/unit_test.hpp>
+
+#include "support/generated_domains.h"
+
+#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/Splitting_minimizer.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
+
+#include <cstdint>
+
+namespace FFM = CGAL::Flip_free_maps;
+using namespace test_support;
+
+namespace {
+
+template <typename Energy>
+using Traits = FFM::Flip_free_map_traits<CGAL::Default, Energy>;
+
+template <int D>
+std::int64_t negative_elements(const FFM::Simplicial_domain<D>& domain, const FFM::Positions<D>& x)
+{
+  std::int64_t flips = 0;
+  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
+    flips += !(domain.image_edges(e, x).determinant() > 0);
+  return flips;
+}
+
+// Some vertices jump far enough to flip the elements around them.
+template <int D>
+FFM::Positions<D> shaken(const FFM::Positions<D>& x, double length, int every)
+{
+  Random random(11);
+  FFM::Positions<D> result = x;
+  for(Eigen::Index v = 0; v < x.cols(); v += every)
+    for(int c = 0; c < D; ++c)
+      result(c, v) += random(-length, length);
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(same_energy_in_space)
+{
+  // Without constraints the optimum in space is the rest shape; the boundary is held in a distorted one.
+  const Distorted_example<3> example(4, 3, 3);
+  const FFM::Positions<3> flipped = shaken<3>(example.x, 0.3, 3);
+  BOOST_TEST_REQUIRE(negative_elements(example.domain, flipped) > 10);
+  FFM::Position_constraints<3> constraints;
+  for(std::int32_t v = 0; v < example.domain.number_of_vertices; v += 4)
+    constraints.fixed_vertices.push_back(v);
+  FFM::Positions<3> start = flipped;
+  for(std::int32_t v : constraints.fixed_vertices)
+    start.col(v) = example.x.col(v);
+
+  FFM::Positions<3> expected = example.x;
+  const Traits<FFM::Symmetric_gradient> traits;
+  const FFM::Summary newton = FFM::Map_minimizer<3, Traits<FFM::Symmetric_gradient>>(example.domain, traits, constraints).minimize(expected);
+  BOOST_TEST_REQUIRE(newton.converged());
+  FFM::Positions<3> x = start;
+  const FFM::Summary splitting =
+    FFM::Splitting_minimizer<3, Traits<FFM::Symmetric_gradient>>(example.domain, traits, constraints).minimize(x);
+  BOOST_TEST(splitting.converged());
+  BOOST_TEST(negative_elements(example.domain, x) == 0);
+  BOOST_TEST(splitting.energy == newton.energy, boost::test_tools::tolerance(1e-4));
+  for(std::int32_t v : constraints.fixed_vertices)
+    BOOST_TEST((x.col(v).array() == start.col(v).array()).all());
+}
