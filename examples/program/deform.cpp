@@ -37,6 +37,7 @@ public:
                    "nearest to x y [z]")
       ->required();
     app->add_option("-o,--output", m_arguments.output, "deformed mesh, in a format of the same kind");
+    app->add_option("--start", m_arguments.start, "solids: the same mesh, deformed, to begin with instead of the rest shape");
     app->add_option("--soft-weight", m_arguments.soft_weight, "solids: pull handles with this weight instead of holding them")
       ->check(CLI::PositiveNumber);
     app->add_option("--tikhonov", m_arguments.tikhonov, "solids: added to the diagonal of the matrix")->check(CLI::NonNegativeNumber);

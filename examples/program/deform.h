@@ -20,7 +20,7 @@ struct Deform_arguments
 {
   Method_arguments method;
   Picture_arguments pictures;
-  std::string input, handles, output;
+  std::string input, handles, output, start;
   double soft_weight = 0, tikhonov = 0, cell_size = 0.05;
 };
 

@@ -57,7 +57,7 @@ void draw(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& before
   FFM::Surface_picture_options options;
   options.width = arguments.pictures.width;
   options.height = arguments.pictures.width / 2;
-  options.label = "symmetric Dirichlet energy";
+  options.label = "distortion";
   std::string message;
   check(FFM::write_surface_PNG(arguments.pictures.png, {rest, image}, options, &message), message);
 }
@@ -92,7 +92,17 @@ void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh,
   FFM::Any_map_traits traits = make_traits(arguments.method);
   set_options(arguments.method, reporter, traits.options);
   traits.options.tikhonov = arguments.tikhonov;
-  summary = FFM::deform_volume(volume, handles, CGAL::make_property_map(result), traits, arguments.soft_weight);
+  FFM::Deform_volume_options options;
+  options.soft_weight = arguments.soft_weight;
+  if(!arguments.start.empty()) {
+    FFM::Tetrahedral_mesh start;
+    check(FFM::read_volume(arguments.start, start, &message), message);
+    check(start.points.size() == mesh.points.size(), arguments.start + " has another number of vertices than " + arguments.input);
+    options.start.resize(3, volume.vertices().size());
+    for(std::size_t v = 0; v < volume.vertices().size(); ++v)
+      options.start.col(v) = Eigen::Map<const Eigen::Vector3d>(start.points[volume.vertices()[v]].data());
+  }
+  summary = FFM::deform_volume(volume, handles, CGAL::make_property_map(result), traits, options);
   traits.name_choices(summary);
   reporter->finish();
   if(!summary.is_valid())

@@ -40,7 +40,7 @@ expect()
   checks=$((checks + 1))
   if [ $got -ne "$code" ]; then
     fail "exit code $got instead of $code: $* ($(head -n 1 err.txt))"
-  elif [ "$code" -gt 2 ] && [ "$1" = parameterize ]; then
+  elif [ "$code" -gt 2 ] && [ "$1" != measure ]; then
     grep -q '^flip_free_maps: ' err.txt || fail "no message: $*"
   fi
 }
@@ -176,11 +176,75 @@ awk 'BEGIN {
     }
 }' > tube.off
 
+awk 'BEGIN {
+  n = 40; m = 12; print "OFF\n" (n + 1) * (m + 1), 2 * n * m, 0
+  for(j = 0; j <= m; ++j)
+    for(i = 0; i <= n; ++i)
+      printf "%.17g %.17g %.17g\n", cos(5 * i / n), sin(5 * i / n), 1.5 * j / m
+  for(j = 0; j < m; ++j)
+    for(i = 0; i < n; ++i) {
+      a = j * (n + 1) + i; b = a + 1; c = b + n + 1; d = c - 1
+      print 3, a, b, c; print 3, a, c, d
+    }
+}' > cylinder.off
+# Bars in the plane and in space, the ends of which are handles, and the right ends move.
+awk 'BEGIN {
+  n = 16; m = 4; print "OFF\n" (n + 1) * (m + 1), 2 * n * m, 0
+  for(j = 0; j <= m; ++j)
+    for(i = 0; i <= n; ++i)
+      print 4 * i / n, j / m, 0.25
+  for(j = 0; j < m; ++j)
+    for(i = 0; i < n; ++i) {
+      a = j * (n + 1) + i; b = a + 1; c = b + n + 1; d = c - 1
+      print 3, a, b, c; print 3, a, c, d
+    }
+  for(j = 0; j <= m; ++j) {
+    print j * (n + 1), 0, j / m > "index_2.txt"
+    print j * (n + 1) + n, 3 - j / m, 1.5 > "index_2.txt"
+    print 0.01, j / m, "->", 0, j / m > "place_2.txt"
+    print 4, j / m + 0.02, "->", 3 - j / m, 1.5, "# upwards" > "place_2.txt"
+  }
+}' > bar.off
+awk '$1 == 3 && NF == 4 { print 3, $2, $4, $3; next } { print }' bar.off > clockwise.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' > triangle.off
+printf '0 1 1\n1 1 0\n2 0 1\n' > turned_over.txt
+awk 'BEGIN {
+  n = 6; m = 2; step[1] = 1; step[2] = n + 1; step[3] = (n + 1) * (m + 1)
+  print "MeshVersionFormatted 2\nDimension 3\nVertices\n" (n + 1) * (m + 1) * (m + 1)
+  for(k = 0; k <= m; ++k)
+    for(j = 0; j <= m; ++j)
+      for(i = 0; i <= n; ++i)
+        print i / 2, j / 2, k / 2, 0
+  print "Tetrahedra\n" 6 * n * m * m
+  for(k = 0; k < m; ++k)
+    for(j = 0; j < m; ++j)
+      for(i = 0; i < n; ++i) {
+        a = k * step[3] + j * step[2] + i + 1; b = a + step[1] + step[2] + step[3]
+        for(p = 1; p <= 3; ++p) {
+          q = p % 3 + 1
+          print a, a + step[p], a + step[p] + step[q], b, 0
+          print a, a + step[p] + step[q], a + step[q], b, 0
+        }
+      }
+  print "End"
+  for(k = 0; k <= m; ++k)
+    for(j = 0; j <= m; ++j) {
+      a = k * step[3] + j * step[2]
+      print a, 0, j / 2, k / 2 > "index_3.txt"
+      print a + n, 3, 1 - k / 2, j / 2 > "index_3.txt"
+      print 0.02, j / 2, k / 2, "->", 0, j / 2, k / 2 > "place_3.txt"
+      print 3, j / 2, k / 2 + 0.01, "->", 3, 1 - k / 2, j / 2, "# a quarter of a turn" > "place_3.txt"
+    }
+}' > bar.mesh
+head -n 20 bar.mesh > broken.mesh
+
 # ---------------------------------------------------------------------------------------------------------------------
 # The command line
 
 expect 0 --help
-check "the exit codes are documented" grep -q '11 start_not_flip_free' out.txt
+for code in '11 start_not_flip_free' '17 file_error' '19 not_planar' '20 flips_remain'; do
+  check "the exit code $code is documented" grep -q "$code" out.txt
+done
 expect 0 --version
 check "version" grep -q '[0-9]\.[0-9]\.[0-9]' out.txt
 expect 0 parameterize --help
@@ -190,13 +254,23 @@ expect 2 flatten sheet.off
 expect 2 parameterize sheet.off --no-such-option
 expect 2 parameterize sheet.off --preconditioner best
 expect 2 parameterize sheet.off --linear-solver best
-expect 2 parameterize sheet.off --border triangle
+expect 2 parameterize sheet.off --border heptagon
+expect 2 parameterize sheet.off --method best
+expect 2 parameterize sheet.off --reference best
+expect 2 parameterize sheet.off --acceleration best
+expect 2 parameterize sheet.off --energy best
+expect 2 parameterize sheet.off --fixed
 expect 2 parameterize sheet.off --threads 0
 expect 2 parameterize sheet.off --threads many
 expect 2 parameterize sheet.off --tolerance -1
 expect 2 parameterize sheet.off --max-iterations -1
 expect 2 parameterize sheet.off --time-limit 0
 expect 2 measure
+expect 0 deform --help
+expect 2 deform
+expect 2 deform bar.off
+expect 2 deform bar.off --handles index_2.txt --soft-weight 0
+expect 2 deform bar.off --handles index_2.txt --method best
 
 # ---------------------------------------------------------------------------------------------------------------------
 # Good files
@@ -255,6 +329,31 @@ for preconditioner in default laplacian killing slim cm newton; do
   check "$preconditioner finds the same energy" close "$(value p.json energy)" "$energy" 1e-6
   expect 0 measure p.obj
 done
+for method in default pp cm slim akvf p-cm p-slim p-akvf aqp sobolev newton projected-newton; do
+  expect 0 parameterize sheet.off -o m.obj --json m.json --method $method --tolerance 1e-6 --max-iterations 20000
+  check "method $method converges" test "$(value m.json status)" = success
+  check "method $method finds the same energy" close "$(value m.json energy)" "$energy" 1e-6
+  expect 0 measure m.obj
+done
+for acceleration in none nesterov lbfgs; do
+  for reference in fixed progressive; do
+    expect 0 parameterize sheet.off --json m.json --acceleration $acceleration --reference $reference --tolerance 1e-6
+    check "$acceleration is used" test "$(value m.json acceleration)" = $acceleration
+    check "$reference is used" test "$(value m.json reference)" = $reference
+    check "$acceleration, $reference: same energy" close "$(value m.json energy)" "$energy" 1e-6
+  done
+done
+# Methods that need a decomposition of the energy take the energies that have one, and say of the others that they do not.
+expect 0 parameterize sheet.off --json m.json --method newton --energy hencky --tolerance 1e-6
+hencky=$(value m.json energy)
+for method in cm p-cm; do
+  expect 0 parameterize sheet.off --json m.json --method $method --energy hencky --tolerance 1e-6
+  check "$method finds the same energy of Hencky" close "$(value m.json energy)" "$hencky" 1e-6
+  for other in conformal amips; do
+    expect 2 parameterize sheet.off --method $method --energy $other
+    check "$method has no energy $other, and the reason is given" grep -q "^flip_free_maps: .*$other" err.txt
+  done
+done
 for solver in default eigen; do
   expect 0 parameterize sheet.off --json s.json --linear-solver $solver
   check "$solver finds the same energy" close "$(value s.json energy)" "$energy" 1e-6
@@ -265,11 +364,12 @@ if "$program" parameterize --help | grep -q 'eigen,cholmod\|cholmod'; then
   check "cholmod finds the same energy" close "$(value s.json energy)" "$energy" 1e-6
   check "cholmod is used" grep -q '"linear_solver": "cholmod' s.json
 fi
-for border in circle square; do
+for border in circle square triangle octagon; do
   for weights in uniform mean-value cotangent; do
     expect 0 parameterize sheet.off --json b.json --border $border --weights $weights
     check "$border, $weights: same energy" close "$(value b.json energy)" "$energy" 1e-6
     check "$border, $weights: start" grep -q "\"start\": \"tutte .*${weights%-*}" b.json
+    check "$border, $weights: a start of its own" less "$energy" "$(value b.json energy_initial)"
   done
 done
 for criterion in characteristic gradient energy; do
@@ -283,13 +383,14 @@ check "limit" test "$(value l.json status)" = iteration_limit
 check "a limit is no convergence" test "$(value l.json converged)" = false
 check "the trace has a row for the start and each iteration" test "$(wc -l < trace.csv)" = 4
 expect 0 parameterize sheet.off --json l.json --trace trace.csv
-check "the trace has a header" grep -q '^iteration,seconds,energy,gradient_norm,step,flips$' trace.csv
+check "the trace has a header" grep -q '^iteration,seconds,energy,gradient_norm,step,flips,factorizations$' trace.csv
 check "rows of the trace" test "$(wc -l < trace.csv)" = $(($(value l.json iterations) + 2))
 check "iterations are counted, energies fall, nothing flips" awk -F, '
   NR == 1 { next }
-  NF != 6 || $1 != NR - 2 || $6 != 0 || (NR > 2 && $3 > energy) { wrong = 1 }
-  { energy = $3 }
+  NF != 7 || $1 != NR - 2 || $6 != 0 || (NR > 2 && ($3 > energy || $7 < factorizations)) { wrong = 1 }
+  { energy = $3; factorizations = $7 }
   END { exit wrong }' trace.csv
+check "the trace ends at the factorizations of the report" test "$(tail -n 1 trace.csv | cut -d, -f7)" = "$(value l.json factorizations)"
 check "the trace ends at the energy of the report" close "$(tail -n 1 trace.csv | cut -d, -f3)" "$(value l.json energy)" 1e-14
 
 expect 0 parameterize sheet.off -o unit.obj --unit-square
@@ -303,8 +404,61 @@ check "picture" grep -q '<svg' sheet.svg
 expect 0 parameterize one.off --json one.json
 check "one triangle is mapped isometrically" close "$(value one.json energy)" 1 1e-8
 
-# A flipped map is an error.
+# Surfaces that can be flattened without distortion are.
+expect 0 parameterize cylinder.off -o cylinder.obj --json cylinder.json
+check "a cylinder's patch: isometric" close "$(value cylinder.json energy)" 1 1e-8
+check "a cylinder's patch: at once" test "$(value cylinder.json iterations)" -le 6
+expect 0 measure cylinder.obj
+
+# Starts and constraints.
+expect 0 parameterize sheet.off --start off.obj --json given.json
+check "a given start" test "$(value given.json iterations)" = 0
+check "a given start is not computed" grep -q '"start": "given"' given.json
+check "a given start's energy" close "$(value given.json energy)" "$energy" 1e-9
 awk '$1 == "vt" { print "vt", -$2, $3; next } { print }' off.obj > mirrored.obj
+expect 11 parameterize sheet.off --start mirrored.obj
+expect 17 parameterize sheet.off --start one.off
+expect 17 parameterize sheet.off --start no_such_file.obj
+awk '$1 == "f" && !done { done = 1; next } { print }' off.obj > one_less.obj
+expect 17 parameterize sheet.off --start one_less.obj
+
+# place FILE VERTEX: its texture coordinates, in files that have one pair per vertex.
+place()
+{
+  awk -v v="$2" '
+    $1 == "vt" { uv[++n] = $2 " " $3 }
+    $1 == "f" { for(k = 2; k <= 4; ++k) { split($k, i, "/"); if(i[1] == v + 1) { print uv[i[2]]; exit } } }' "$1"
+}
+printf '# corners\n0\n\n142 # the last one\n' > fixed.txt
+expect 0 parameterize sheet.off --start off.obj --preconditioner newton --energy hencky --fixed fixed.txt -o fixed.obj \
+  --json fixed.json
+check "the map changes" less 0 "$(value fixed.json iterations)"
+check "fixed vertices stay" test "$(place fixed.obj 0) $(place fixed.obj 142)" = "$(place off.obj 0) $(place off.obj 142)"
+check "others do not" test "$(place fixed.obj 70)" != "$(place off.obj 70)"
+expect 0 parameterize sheet.off --fix-border --border square --json border.json -o border.obj
+check "a fixed border costs distortion" less "$energy" "$(value border.json energy)"
+expect 0 parameterize sheet.off --border square --max-iterations 0 -o start.obj
+for v in 0 7 12 77 142; do
+  check "vertex $v of the border stays" test "$(place border.obj $v)" = "$(place start.obj $v)"
+done
+check "an inner vertex does not" test "$(place border.obj 70)" != "$(place start.obj 70)"
+printf '0 -3 2 1e5\n' > soft.txt
+expect 0 parameterize sheet.off --soft soft.txt -o soft.obj --json soft.json
+check "a soft position pulls" awk -v p="$(place soft.obj 0)" 'BEGIN { split(p, x); exit !((x[1] + 3)^2 + (x[2] - 2)^2 < 1e-6) }'
+check "one soft position costs no distortion" close "$(value soft.json energy)" "$energy" 1e-6
+for line in 'x' '143' '-1' '1.5' '0 1'; do
+  echo "$line" > bad.txt
+  expect 17 parameterize sheet.off --fixed bad.txt
+done
+for line in '0 1 2' '0 0 0 x' '143 0 0 1' '0 nan 0 1'; do
+  echo "$line" > bad.txt
+  expect 17 parameterize sheet.off --soft bad.txt
+done
+echo '0 0 0 -1' > bad.txt
+expect 16 parameterize sheet.off --soft bad.txt
+expect 17 parameterize sheet.off --soft no_such_file.txt
+
+# A flipped map is an error.
 expect 11 measure mirrored.obj --json mirrored.json
 check "all flipped" test "$(value mirrored.json flips)" = 240
 awk '$1 == "f" && !done { print "f", $3, $2, $4; done = 1; next } { print }' off.obj > one_flipped.obj
@@ -312,6 +466,96 @@ expect 11 measure one_flipped.obj --json one_flipped.json
 check "one flipped" test "$(value one_flipped.json flips)" = 1
 expect 17 measure sheet.obj
 expect 17 measure no_such_file.obj
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Deformations
+
+# Handles arrive exactly, everything else stays as it was: coordinates that follow the heading of an OFF or a Medit file.
+vertices_of()
+{
+  case $1 in
+    *.mesh) awk '/Vertices/ { getline count; for(i = 0; i < count; ++i) { getline; print $1, $2, $3 } exit }' "$1" ;;
+    *) awk 'NF == 0 || $1 == "OFF" { next } !n { n = $1; next } k++ < n { print $1, $2, $3 }' "$1" ;;
+  esac
+}
+# arrive RESULT HANDLES: handles in the form with numbers.
+arrive()
+{
+  vertices_of "$1" | awk -v handles="$2" '
+    { x[NR - 1] = $1; y[NR - 1] = $2; z[NR - 1] = $3 }
+    END {
+      while((getline line < handles) > 0) {
+        n = split(line, h)
+        if(x[h[1]] != h[2] || y[h[1]] != h[3] || (n == 4 && z[h[1]] != h[4])) wrong = 1
+        ++lines
+      }
+      exit wrong || lines == 0 || NR == 0
+    }'
+}
+
+for dimension in 2 3; do
+  if [ $dimension = 2 ]; then shape=bar.off vertices=85 elements=128; else shape=bar.mesh vertices=63 elements=144; fi
+  expect 0 deform $shape --handles index_$dimension.txt -o one_$shape --json one.json --tolerance 1e-6
+  check "$shape: converges" test "$(value one.json status)" = success
+  check "$shape: vertices" test "$(value one.json vertices)" = $vertices
+  check "$shape: elements" test "$(value one.json faces)" = $elements
+  check "$shape: flips" test "$(value one.json flips)" = 0
+  check "$shape: distorted" less 1.001 "$(value one.json energy)"
+  check "$shape: not very" less "$(value one.json energy)" 1.2
+  check "$shape: handles arrive" arrive one_$shape index_$dimension.txt
+  check "$shape: number of vertices" test "$(vertices_of one_$shape | wc -l)" = $vertices
+  bent=$(value one.json energy)
+  expect 0 deform $shape --handles place_$dimension.txt -o two_$shape --json two.json --tolerance 1e-6
+  check "$shape: both forms of handles mean the same" cmp -s one_$shape two_$shape
+  for method in pp cm slim akvf aqp sobolev newton projected-newton; do
+    if [ $dimension = 3 ] && [ $method = cm ]; then
+      expect 2 deform $shape --handles index_$dimension.txt --method $method
+      continue
+    fi
+    expect 0 deform $shape --handles index_$dimension.txt --method $method --json method.json --tolerance 1e-6 \
+      --max-iterations 20000
+    check "$shape: $method converges" test "$(value method.json status)" = success
+    check "$shape: $method finds the same energy" close "$(value method.json energy)" "$bent" 1e-6
+  done
+  expect 0 deform $shape --handles index_$dimension.txt --trace deform.csv
+  check "$shape: trace" grep -q '^iteration,' deform.csv
+
+  # Two lines in front, the first a good handle: the fault is in the third line.
+  if [ $dimension = 2 ]; then more=''; else more=' 0'; fi
+  for line in "0" "0 0 0 0 0$more" "$vertices 0 0$more" "-1 0 0$more" "0.5 0 0$more" "1 x 0$more" "1 nan 0$more" \
+              "0 0$more -> 1" "0 0 0$more"; do
+    printf '0 0 0%s\n# a comment\n%s\n' "$more" "$line" > bad.txt
+    rm -f bad_$shape
+    expect 17 deform $shape --handles bad.txt -o bad_$shape --json bad.json
+    check "$shape: the line of '$line'" grep -q 'bad.txt.*line 3' err.txt
+    check "$shape: the status of '$line'" test "$(value bad.json status)" = file_error
+    check "$shape: no result for '$line'" test ! -e bad_$shape
+  done
+  printf '# nothing\n' > bad.txt
+  expect 17 deform $shape --handles bad.txt
+  expect 17 deform $shape --handles no_such_file.txt
+  expect 17 deform $shape --handles index_$dimension.txt -o missing/$shape
+  expect 17 deform no_such_$shape --handles index_$dimension.txt
+done
+check "the plane is kept" test -z "$(vertices_of one_bar.off | awk '$3 != 0.25')"
+expect 0 deform bar.mesh --handles index_3.txt -o bar.vtu
+check "VTU" grep -q '<VTKFile' bar.vtu
+expect 0 deform bar.mesh --handles index_3.txt --start one_bar.mesh --json start.json --tolerance 1e-5
+check "a given start that is the optimum" test "$(value start.json iterations)" = 0
+expect 17 deform bar.mesh --handles index_3.txt --start no_such_file.mesh
+expect 0 deform bar.mesh --handles index_3.txt --soft-weight 100 -o soft.mesh --json soft.json
+check "soft handles give way" less "$(value soft.json energy)" "$bent"
+
+rm -f bad.off
+expect 19 deform sheet.off --handles index_2.txt -o bad.off --json bad.json
+check "the status of a sheet that is not planar" test "$(value bad.json status)" = not_planar
+expect 11 deform clockwise.off --handles index_2.txt -o bad.off
+expect 12 deform triangle.off --handles turned_over.txt -o bad.off --json bad.json
+check "the status of handles out of reach" test "$(value bad.json status)" = unreachable_constraints
+expect 6 deform components.off --handles index_2.txt -o bad.off
+expect 4 deform quads.off --handles index_2.txt -o bad.off
+expect 17 deform broken.mesh --handles index_3.txt -o bad.off
+check "errors give no shape" test ! -e bad.off
 
 # ---------------------------------------------------------------------------------------------------------------------
 # Bad files: code, status and the file

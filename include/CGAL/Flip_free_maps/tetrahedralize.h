@@ -109,7 +109,7 @@ inline void mesh_closed_surface(const Closed_surface& surface, const Tetrahedral
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Fills a closed triangle mesh with tetrahedra, by the mesh generator of the \cgal package 3D Mesh Generation. The boundary is
+/// Fills a closed triangle mesh with tetrahedra, by the mesh generator of the CGAL package 3D Mesh Generation. The boundary is
 /// remeshed: it approximates the surface, and its vertices are new ones. A surface of several components bounds the places around
 /// which it passes an odd number of times, so that voids are possible.
 ///

@@ -225,11 +225,15 @@ class Proximal_map<Symmetric_gradient, D>
   using Vector = internal::Vector<D>;
 
 public:
+  /// The energy has no settings to keep.
   explicit Proximal_map(const Symmetric_gradient& = Symmetric_gradient()) {}
 
+  /// psi / f.
   static double scale() { return 1; }
+  /// The least eigenvalue of a stretch in the beginning.
   static double floor() { return std::sqrt(std::sqrt(std::numeric_limits<double>::epsilon())); }
 
+  /// The positive p with the least c f(p) + 1/2 |p - q|^2; q in descending order.
   static Vector proximal(const Vector& q, double c)
   {
     Vector p;
@@ -241,9 +245,11 @@ public:
     return p;
   }
 
+  /// |grad f(p)|^2
   static double squared_gradient(const Vector& p) { return (p - p.cwiseInverse()).squaredNorm(); }
 
-  // 1 + sqrt(D) / x^2 where x, which bounds the eigenvalues from below, is the positive root of x^2 + b x = 1.
+  /// A Lipschitz constant of grad f around p, from |grad f(p)|^2:
+  /// 1 + sqrt(D) / x^2 where x, which bounds the eigenvalues from below, is the positive root of x^2 + b x = 1.
   static double lipschitz(const Vector&, double squared_gradient)
   {
     const double b = std::sqrt(5 * (1 + squared_gradient));
@@ -261,11 +267,15 @@ class Proximal_map<Symmetric_dirichlet, D>
   using Vector = internal::Vector<D>;
 
 public:
+  /// The energy has no settings to keep.
   explicit Proximal_map(const Symmetric_dirichlet& = Symmetric_dirichlet()) {}
 
+  /// psi / f.
   static double scale() { return 1. / D; }
+  /// The least eigenvalue of a stretch in the beginning.
   static double floor() { return std::sqrt(Proximal_map<Symmetric_gradient, D>::floor()); }
 
+  /// The positive p with the least c f(p) + 1/2 |p - q|^2; q in descending order.
   static Vector proximal(const Vector& q, double c)
   {
     Vector p;
@@ -274,9 +284,11 @@ public:
     return p;
   }
 
+  /// |grad f(p)|^2
   static double squared_gradient(const Vector& p) { return (p.array() - p.array().cube().inverse()).matrix().squaredNorm(); }
 
-  // 1 + 3 sqrt(D) / x^4 where x, which bounds the eigenvalues from below, is the positive root of x^4 + b x^3 = 1.
+  /// A Lipschitz constant of grad f around p, from |grad f(p)|^2:
+  /// 1 + 3 sqrt(D) / x^4 where x, which bounds the eigenvalues from below, is the positive root of x^4 + b x^3 = 1.
   static double lipschitz(const Vector&, double squared_gradient)
   {
     const double x = internal::positive_root(1, -std::sqrt(5 * (1 + squared_gradient)), 1);

@@ -24,6 +24,7 @@ struct Splitting_errors
   std::int64_t flips = 0;    ///< elements whose Jacobian has no positive determinant in floating point
   std::int64_t adapted = 0;  ///< elements whose penalty changed
 
+  /// Adds the sums over other elements.
   Splitting_errors& operator+=(const Splitting_errors& other)
   {
     primal += other.primal;
