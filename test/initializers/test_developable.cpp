@@ -17,6 +17,10 @@
 #include <CGAL/Flip_free_maps/internal/adapt_method.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
+#include <CGAL/squared_distance_2.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
