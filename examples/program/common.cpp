@@ -18,6 +18,7 @@
 #include <CGAL/Flip_free_maps/energies/Symmetric_arap.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/io.h>
+#include <CGAL/Flip_free_maps/measure_distortion.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -28,6 +29,8 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -390,6 +393,82 @@ void write_pictures(const Picture_arguments& arguments, const std::string& input
     check(FFM::write_layout_SVG(arguments.svg, layout.texture, layout.texture_triangles, distortion, options, &message), message);
   if(!arguments.png.empty())
     check(FFM::write_layout_PNG(arguments.png, layout.texture, layout.texture_triangles, distortion, options, &message), message);
+}
+
+namespace {
+
+FFM::Textured_mesh textured(const Triangles& triangles, const Mesh::Property_map<Vertex, Kernel::Point_2>& uv, bool unit_square)
+{
+  FFM::Textured_mesh result;
+  for(const auto& p : triangles.points)
+    result.points.push_back({p.x(), p.y(), p.z()});
+  std::vector<int> texture_of_point(triangles.points.size(), -1);
+  std::array<double, 2> low{}, high{};
+  for(const auto& polygon : triangles.polygons) {
+    std::array<int, 3> triangle, texture;
+    for(int k = 0; k < 3; ++k) {
+      const std::size_t v = polygon[k];
+      if(texture_of_point[v] < 0) {
+        texture_of_point[v] = static_cast<int>(result.texture.size());
+        const Kernel::Point_2 p = uv[Vertex(static_cast<Mesh::size_type>(v))];
+        const bool first = result.texture.empty();
+        for(int c = 0; c < 2; ++c) {
+          low[c] = first ? p[c] : (std::min)(low[c], p[c]);
+          high[c] = first ? p[c] : (std::max)(high[c], p[c]);
+        }
+        result.texture.push_back({p.x(), p.y()});
+      }
+      triangle[k] = static_cast<int>(v);
+      texture[k] = texture_of_point[v];
+    }
+    result.triangles.push_back(triangle);
+    result.texture_triangles.push_back(texture);
+  }
+  if(unit_square) {
+    const double extent = (std::max)(high[0] - low[0], high[1] - low[1]);
+    for(auto& p : result.texture)
+      p = {(p[0] - low[0]) / extent, (p[1] - low[1]) / extent};
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Triangles& triangles)
+{
+  FFM::Textured_mesh given;
+  std::string message;
+  check(FFM::read_textured_OBJ(path, given, &message), message);
+  bool is_same = given.triangles.size() == triangles.polygons.size();
+  std::vector<Kernel::Point_2> uv(triangles.points.size(), Kernel::Point_2(0, 0));
+  std::vector<int> texture(triangles.points.size(), -1);
+  for(std::size_t i = 0; is_same && i < given.triangles.size(); ++i)
+    for(int k = 0; k < 3; ++k) {
+      const int v = given.triangles[i][k], t = given.texture_triangles[i][k];
+      is_same = is_same && v == static_cast<int>(triangles.polygons[i][k]) && t >= 0 && (texture[v] < 0 || texture[v] == t);
+      if(is_same) {
+        texture[v] = t;
+        uv[v] = Kernel::Point_2(given.texture[t][0], given.texture[t][1]);
+      }
+    }
+  check(is_same, path + " does not give the faces of the mesh one pair of texture coordinates per vertex");
+  return uv;
+}
+
+void write_layout(Triangles& triangles, const UV_map& uv, bool unit_square, const std::string& output, const Picture_arguments& pictures,
+                  const std::string& input, const FFM::Summary& summary)
+{
+  Mesh& mesh = triangles.mesh;
+  std::vector<double> distortion;
+  auto distortion_map = mesh.add_property_map<Mesh::Face_index, double>("f:distortion").first;
+  FFM::face_distortions(mesh, uv, distortion_map);
+  for(const auto face : mesh.faces())
+    distortion.push_back(distortion_map[face]);
+  const FFM::Textured_mesh layout = textured(triangles, uv, unit_square);
+  write_pictures(pictures, input, layout, distortion, summary);
+  std::string message;
+  if(!output.empty())
+    check(FFM::write_textured_OBJ(output, layout, &message), message);
 }
 
 } // namespace program

@@ -116,6 +116,15 @@ void add_picture_options(CLI::App& command, Picture_arguments& arguments);
 void write_pictures(const Picture_arguments& arguments, const std::string& input, const FFM::Textured_mesh& layout,
                     const std::vector<double>& distortion, const FFM::Summary& summary);
 
+using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
+
+// The texture coordinates of an OBJ with the same faces, one pair for each vertex.
+std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Triangles& triangles);
+
+// Writes and draws a map, whatever of it is asked for.
+void write_layout(Triangles& triangles, const UV_map& uv, bool unit_square, const std::string& output, const Picture_arguments& pictures,
+                  const std::string& input, const FFM::Summary& summary);
+
 // The sub-commands: each adds itself to the application, and runs if it was chosen.
 class Command
 {
@@ -127,6 +136,7 @@ public:
 
 std::unique_ptr<Command> parameterize_command(CLI::App& app);
 std::unique_ptr<Command> deform_command(CLI::App& app);
+std::unique_ptr<Command> repair_command(CLI::App& app);
 std::unique_ptr<Command> measure_command(CLI::App& app);
 
 } // namespace program

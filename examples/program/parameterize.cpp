@@ -7,14 +7,10 @@
 
 #include "common.h"
 
-#include <CGAL/Flip_free_maps/IO/OBJ.h>
-#include <CGAL/Flip_free_maps/measure_distortion.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <sstream>
@@ -27,43 +23,7 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 using Soft_position = std::tuple<Vertex, Kernel::Point_2, double>;
-
-FFM::Textured_mesh textured(const Triangles& triangles, const Mesh::Property_map<Vertex, Kernel::Point_2>& uv, bool unit_square)
-{
-  FFM::Textured_mesh result;
-  for(const auto& p : triangles.points)
-    result.points.push_back({p.x(), p.y(), p.z()});
-  std::vector<int> texture_of_point(triangles.points.size(), -1);
-  std::array<double, 2> low{}, high{};
-  for(const auto& polygon : triangles.polygons) {
-    std::array<int, 3> triangle, texture;
-    for(int k = 0; k < 3; ++k) {
-      const std::size_t v = polygon[k];
-      if(texture_of_point[v] < 0) {
-        texture_of_point[v] = static_cast<int>(result.texture.size());
-        const Kernel::Point_2 p = uv[Vertex(static_cast<Mesh::size_type>(v))];
-        const bool first = result.texture.empty();
-        for(int c = 0; c < 2; ++c) {
-          low[c] = first ? p[c] : (std::min)(low[c], p[c]);
-          high[c] = first ? p[c] : (std::max)(high[c], p[c]);
-        }
-        result.texture.push_back({p.x(), p.y()});
-      }
-      triangle[k] = static_cast<int>(v);
-      texture[k] = texture_of_point[v];
-    }
-    result.triangles.push_back(triangle);
-    result.texture_triangles.push_back(texture);
-  }
-  if(unit_square) {
-    const double extent = (std::max)(high[0] - low[0], high[1] - low[1]);
-    for(auto& p : result.texture)
-      p = {(p[0] - low[0]) / extent, (p[1] - low[1]) / extent};
-  }
-  return result;
-}
 
 // Numbers in the lines of a file, without comments and empty lines.
 std::vector<std::vector<double>> read_numbers(const std::string& path, std::size_t per_line)
@@ -159,16 +119,7 @@ private:
     if(!summary.is_valid())
       return;
 
-    std::vector<double> distortion;
-    auto distortion_map = mesh.add_property_map<Mesh::Face_index, double>("f:distortion").first;
-    FFM::face_distortions(mesh, uv, distortion_map);
-    for(const auto face : mesh.faces())
-      distortion.push_back(distortion_map[face]);
-    const FFM::Textured_mesh layout = textured(triangles, uv, m_unit_square);
-    write_pictures(m_pictures, m_input, layout, distortion, summary);
-    std::string message;
-    if(!m_output.empty())
-      check(FFM::write_textured_OBJ(m_output, layout, &message), message);
+    write_layout(triangles, uv, m_unit_square, m_output, m_pictures, m_input, summary);
   }
 
   template <typename Traits>
@@ -206,32 +157,10 @@ private:
                               boost::make_iterator_property_map(is_fixed.begin(), get(boost::vertex_index, mesh)))));
     if(m_start == "auto" || m_start == "tutte" || m_start == "multilevel")
       return FFM::parameterize(mesh, border, uv, traits, constraints);
-    const std::vector<Kernel::Point_2> given = read_start(triangles);
+    const std::vector<Kernel::Point_2> given = vertex_texture(m_start, triangles);
     return FFM::parameterize(
       mesh, border, uv, traits,
       FFM::parameters::start_map(boost::make_iterator_property_map(given.begin(), get(boost::vertex_index, mesh)), constraints));
-  }
-
-  // The texture coordinates of an OBJ with the same faces, one pair for each vertex.
-  std::vector<Kernel::Point_2> read_start(const Triangles& triangles) const
-  {
-    FFM::Textured_mesh given;
-    std::string message;
-    check(FFM::read_textured_OBJ(m_start, given, &message), message);
-    bool is_same = given.triangles.size() == triangles.polygons.size();
-    std::vector<Kernel::Point_2> uv(triangles.points.size(), Kernel::Point_2(0, 0));
-    std::vector<int> texture(triangles.points.size(), -1);
-    for(std::size_t i = 0; is_same && i < given.triangles.size(); ++i)
-      for(int k = 0; k < 3; ++k) {
-        const int v = given.triangles[i][k], t = given.texture_triangles[i][k];
-        is_same = is_same && v == static_cast<int>(triangles.polygons[i][k]) && t >= 0 && (texture[v] < 0 || texture[v] == t);
-        if(is_same) {
-          texture[v] = t;
-          uv[v] = Kernel::Point_2(given.texture[t][0], given.texture[t][1]);
-        }
-      }
-    check(is_same, m_start + " does not give the faces of " + m_input + " one pair of texture coordinates per vertex");
-    return uv;
   }
 
   Method_arguments m_method;

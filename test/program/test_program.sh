@@ -398,6 +398,15 @@ check "coordinates in the unit square" awk '
   $1 == "vt" { for(k = 2; k <= 3; ++k) { if($k < 0 || $k > 1) wrong = 1; if($k > most) most = $k; if($k < least) least = $k } }
   END { exit wrong || most != 1 || least != 0 }' unit.obj
 expect 0 measure unit.obj --json unit.json
+
+# Texture coordinates mirrored as a whole, and one vertex thrown across the map: flips to repair.
+awk '$1 == "vt" { n++; if (n == 20) { print "vt", -$2 - 1, $3 - 1; next } } { print }' off.obj > thrown.obj
+expect 11 measure thrown.obj
+expect 0 repair thrown.obj -o repaired.obj --json repaired.json
+check "repaired without flips" test "$(value repaired.json flips)" = 0
+check "repaired to the same energy" close "$(value repaired.json energy)" "$energy" 1e-5
+expect 0 measure repaired.obj
+expect 17 repair missing.obj -o repaired.obj
 check "a similarity" close "$(value unit.json energy_of_similarity)" "$energy" 1e-5
 expect 0 parameterize sheet.off --svg sheet.svg
 check "picture" grep -q '<svg' sheet.svg

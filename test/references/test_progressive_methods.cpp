@@ -77,7 +77,8 @@ BOOST_AUTO_TEST_CASE(progressive_methods_reach_the_optimum)
   BOOST_TEST(distorted_fraction(domain, tutte_start(domain), FFM::Progressive_reference().bound) > 0.02);
   const Outcome expected = minimized(domain, method("projected-newton"));
   BOOST_TEST_REQUIRE(expected.summary.converged());
-  BOOST_TEST(expected.summary.energy > 1.01);
+  // Not an isometry, by much more than energies are compared to.
+  BOOST_TEST(expected.summary.energy > 1 + 5e-5);
   for(const char* name : {"pp", "p-cm", "p-slim", "p-akvf"}) {
     BOOST_TEST_CONTEXT(name) {
       const Outcome outcome = minimized(domain, method(name));

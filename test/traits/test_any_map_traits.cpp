@@ -91,7 +91,7 @@ BOOST_FIXTURE_TEST_CASE(all_names_work, Fixture)
   {
     const char *method, *preconditioner, *reference, *acceleration;
   };
-  const Row rows[] = {{"default", "slim_newton", "fixed", "lbfgs"},      {"pp", "hybrid", "progressive", "none"},
+  const Row rows[] = {{"default", "adaptive", "fixed", "lbfgs"},         {"pp", "hybrid", "progressive", "none"},
                       {"cm", "cm", "fixed", "none"},                     {"p-cm", "cm", "progressive", "none"},
                       {"slim", "slim", "fixed", "none"},                 {"p-slim", "slim", "progressive", "none"},
                       {"akvf", "killing", "fixed", "none"},              {"p-akvf", "killing", "progressive", "none"},

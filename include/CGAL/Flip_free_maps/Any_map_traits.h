@@ -97,8 +97,8 @@ public:
   /// \returns `false`, and no choice is made, if no method has that name
   bool use_method(const std::string& name)
   {
-    m_is_default = name == "default";
-    if(m_is_default) {
+    if(name == "default") {
+      m_is_default = true;
       const Flip_free_map_traits<> defaults;
       preconditioner = Any_preconditioner(defaults.preconditioner);
       acceleration = Any_acceleration(defaults.acceleration);
@@ -110,8 +110,9 @@ public:
     }
     const bool is_progressive = name == "pp" || name.compare(0, 2, "p-") == 0;
     const auto found = preconditioners().find(name != "pp" && is_progressive ? name.substr(2) : name);
-    if(found == preconditioners().end() || (is_progressive && found->second.is_constant()))
+    if(found == preconditioners().end() || name == "p-pp" || (is_progressive && found->second.is_constant()))
       return false;
+    m_is_default = false;
     preconditioner = found->second;
     acceleration = name == "aqp" ? Any_acceleration(Nesterov()) : Any_acceleration(No_acceleration());
     refactorization_rule = Every_iteration();

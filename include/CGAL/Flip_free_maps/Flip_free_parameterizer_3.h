@@ -60,11 +60,13 @@ inline CGAL::Surface_mesh_parameterization::Error_code to_error_code(Status stat
   case Status::unreachable_constraints:
   case Status::line_search_failed:
   case Status::result_not_representable:
+  case Status::flips_remain:
     return SMP::ERROR_NO_1_TO_1_MAPPING;
   case Status::degenerate_rest_element:
   case Status::non_finite_input:
   case Status::invalid_option:
   case Status::file_error:
+  case Status::not_planar:
     return SMP::ERROR_WRONG_PARAMETER;
   }
   return SMP::ERROR_WRONG_PARAMETER;
@@ -183,7 +185,8 @@ public:
   Error_code parameterize(const TriangleMesh& mesh, halfedge_descriptor border_halfedge, VertexUVMap uv_map,
                           VertexIndexMap vertex_index_map, VertexParameterizedMap vertex_parameterized_map)
   {
-    const auto& traits = internal::with_solver(m_traits, m_solver_traits);
+    // A copy, which is adapted to the surface.
+    auto traits = internal::with_solver(m_traits, m_solver_traits);
     using Traits = std::decay_t<decltype(traits)>;
     std::vector<vertex_descriptor> written;
 

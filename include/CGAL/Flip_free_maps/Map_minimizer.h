@@ -569,6 +569,11 @@ private:
     Summary& summary = run.summary;
     const Map_options options = run.options;
     const internal::Handle_groups<D> groups(m_domain, [this](std::int32_t v) { return m_objective.is_fixed(v); });
+    if(groups.carry(run.x, targets, run.trial) && is_certified(run, run.trial)) {
+      run.x.swap(run.trial);
+      measure(run);
+      m_is_factorized = false;
+    }
     for(int round = 0; round < MAX_ROUNDS; ++round) {
       bool is_last = false;
       Positions<D> handles = Positions<D>::Zero(D, run.x.cols());

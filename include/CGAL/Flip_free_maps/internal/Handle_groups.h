@@ -11,6 +11,8 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Signed_svd.h>
 
+#include <CGAL/number_type_basic.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -68,16 +70,32 @@ public:
         x.col(v) = targets.col(v);
   }
 
+  // Where the handles turn by much as a whole: the shape `x`, turned with them. Isometries cost nothing, and on the ways of the groups
+  // they might have to pass through each other. `false` if that leaves much to turn for one of the groups.
+  bool carry(const Positions<D>& x, const Positions<D>& targets, Positions<D>& carried) const
+  {
+    const Motion whole = motion(all(), x, targets);
+    if(!(whole.angle > LARGEST_TURN))
+      return false;
+    carried = (whole.rotation(1) * (x.colwise() - whole.from)).colwise() + whole.to;
+    for(const auto& group : m_groups)
+      if(!(motion(group, carried, targets).angle <= LARGEST_TURN))
+        return false;
+    return true;
+  }
+
   // The displacement of the handles from `x` to their targets (`is_last`) or, if a group is to turn by much, to places on the way. `false`
   // if a target is not finite.
   bool next_displacement(const Positions<D>& x, const Positions<D>& targets, Positions<D>& displacement, bool& is_last) const
   {
     std::vector<Motion> motions;
     double largest_angle = 0;
+    const Vector<D> centre = motion(all(), x, targets).from;
     for(const auto& group : m_groups) {
       motions.push_back(motion(group, x, targets));
       if(!std::isfinite(motions.back().angle))
         return false;
+      motions.back().choose_side(centre);
       largest_angle = (std::max)(largest_angle, motions.back().angle);
     }
     is_last = largest_angle <= LARGEST_TURN;
@@ -102,12 +120,32 @@ private:
       return Eigen::AngleAxisd(fraction * angle, axis).toRotationMatrix().template topLeftCorner<D, D>();
     }
 
+    // Half a turn may go to either side: a group that moves around a centre turns in the same sense.
+    void choose_side(const Vector<D>& centre)
+    {
+      Vector<3> arm = Vector<3>::Zero(), path = Vector<3>::Zero();
+      arm.template head<D>() = from - centre;
+      path.template head<D>() = to - from;
+      if(angle > 3.04 && arm.cross(path).dot(axis) < -1e-6 * arm.squaredNorm()) {
+        angle = 2 * CGAL_PI - angle;
+        axis = -axis;
+      }
+    }
+
     Vector<D> place(const Vector<D>& p, const Vector<D>& target, double fraction) const
     {
       const Vector<D> arm = p - from, change = rotation(1).transpose() * (target - to) - arm;
       return from + fraction * (to - from) + rotation(fraction) * (arm + fraction * change);
     }
   };
+
+  std::vector<std::int32_t> all() const
+  {
+    std::vector<std::int32_t> result;
+    for(const auto& group : m_groups)
+      result.insert(result.end(), group.begin(), group.end());
+    return result;
+  }
 
   // The rigid motion that leads the group nearest to its targets.
   static Motion motion(const std::vector<std::int32_t>& group, const Positions<D>& x, const Positions<D>& targets)
