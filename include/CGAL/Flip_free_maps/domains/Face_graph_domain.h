@@ -12,7 +12,6 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/planar_rest_shape.h>
 
-#include <CGAL/Dimension.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -22,10 +21,12 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -33,6 +34,29 @@
 
 namespace CGAL {
 namespace Flip_free_maps {
+
+namespace internal {
+
+template <typename Point, typename = void>
+struct Has_y : std::false_type {};
+
+template <typename Point>
+struct Has_y<Point, std::void_t<decltype(std::declval<const Point&>().y())>> : std::true_type {};
+
+template <typename Point, typename = void>
+struct Has_z : std::false_type {};
+
+template <typename Point>
+struct Has_z<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::true_type {};
+
+// Whether a point, of CGAL or a user's own, has two coordinates only.
+template <typename Point>
+struct Is_planar_point : std::bool_constant<Has_y<Point>::value && !Has_z<Point>::value> {};
+
+template <typename T, std::size_t N>
+struct Is_planar_point<std::array<T, N>> : std::bool_constant<N == 2> {};
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsDomains
 /// The connected component of a triangle mesh that a border halfedge belongs to, as flat arrays, with the way back to the mesh'
@@ -294,7 +318,7 @@ private:
   template <typename Point>
   static double third_coordinate(const Point& p)
   {
-    if constexpr(CGAL::Ambient_dimension<Point>::value == 2)
+    if constexpr(internal::Is_planar_point<Point>::value)
       return 0;
     else
       return CGAL::to_double(p[2]);
