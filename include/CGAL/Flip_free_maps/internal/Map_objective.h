@@ -341,8 +341,9 @@ private:
     for(int k = 1; k <= D; ++k)
       blocks[0][0] -= blocks[0][k];
 
-    if(clamps_element_matrices(m_preconditioner))
-      clamp(blocks);
+    if constexpr(Clamps_element_matrices<Preconditioner>::value)
+      if(m_preconditioner.clamps_element_matrices)
+        clamp(blocks);
 
     const Element& v = m_domain.elements[e];
     int p = 0;

@@ -54,7 +54,9 @@ bool favours_isometries(const Energy& energy)
   Vector<2> gradient;
   Matrix<2> hessian;
   energy.template derivatives<2>(Vector<2>::Ones(), gradient, hessian);
-  const Vector<2> curvatures = Eigen::SelfAdjointEigenSolver<Matrix<2>>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
+  Eigen::SelfAdjointEigenSolver<Matrix<2>> eigen;
+  eigen.computeDirect(hessian, Eigen::EigenvaluesOnly);
+  const Vector<2> curvatures = eigen.eigenvalues();
   return curvatures[0] > 1e-6 * curvatures[1] && gradient.norm() <= 1e-9 * curvatures[1];
 }
 

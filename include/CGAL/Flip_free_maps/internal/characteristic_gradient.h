@@ -43,7 +43,9 @@ double characteristic_gradient(const Simplicial_domain<D>& domain, const Energy&
   Element_state<D> state;
   state.s.setOnes();
   energy.template derivatives<D>(state.s, state.gradient, state.hessian);
-  double norm = Eigen::SelfAdjointEigenSolver<Matrix<D>>(state.hessian, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
+  Eigen::SelfAdjointEigenSolver<Matrix<D>> eigen;
+  eigen.computeDirect(state.hessian, Eigen::EigenvaluesOnly);
+  double norm = eigen.eigenvalues().cwiseAbs().maxCoeff();
   for_each_pair<D>([&](int, int i, int j) {
     norm = (std::max)({norm, std::abs(symmetric_mode(state, i, j)), std::abs(twist_mode(state, i, j))});
   });
