@@ -29,6 +29,8 @@ class Robust_solver
 public:
   explicit Robust_solver(LinearSolver& solver) : m_solver(solver) {}
 
+  Robust_solver(LinearSolver& solver, Summary& summary) : m_solver(solver), m_summary(&summary) {}
+
   // Work is entered into `summary` from now on.
   void set_summary(Summary& summary)
   {
