@@ -135,8 +135,10 @@ public:
     preconditioner = Any_preconditioner(defaults.preconditioner);
     acceleration = Any_acceleration(defaults.acceleration);
     refactorization_rule = defaults.refactorization_rule;
-    if(start.multilevel_size > 0)
+    if(start.multilevel_size >= 0) {
+      start.unfold = true;
       start.multilevel_size = 0;
+    }
   }
 
   /// The preconditioners of the methods without progressive references.

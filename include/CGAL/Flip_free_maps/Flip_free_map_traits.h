@@ -99,9 +99,9 @@ public:
 
   /// Prepares the default method, and only it, for a surface that can be flattened without distortion. `parameterize()` calls it when the
   /// surface's total curvature, the sum of |2 pi - angles| over all inner vertices, is at most 0.3, and isometries are strict minima of
-  /// the energy. The Killing operator, factorized in every iteration, then needs fewer iterations than any other method (three or four
-  /// from a coarse-to-fine start, which is taken on meshes of all sizes): it knows the rigid motions of the image, which are what remains
-  /// to be found.
+  /// the energy. The start is then the surface unfolded triangle by triangle, or, where that tears, one from coarse to fine on meshes of all
+  /// sizes. From there the Killing operator, factorized in every iteration, needs fewer iterations than any other method (three or four):
+  /// it knows the rigid motions of the image, which are what remains to be found.
   template <typename P = Preconditioner, typename A = Acceleration, typename R = Refactorization_rule>
   std::enable_if_t<std::is_same<P, Adaptive_preconditioner>::value && std::is_same<A, Lbfgs>::value && std::is_same<R, On_demand>::value>
   adapt_to_developable_surface()
@@ -109,8 +109,10 @@ public:
     preconditioner.uses_killing = true;
     acceleration = Lbfgs(0);
     refactorization_rule.largest_age = 0;
-    if(start.multilevel_size > 0)
+    if(start.multilevel_size >= 0) {
+      start.unfold = true;
       start.multilevel_size = 0;
+    }
   }
 
   /// A new linear solver.

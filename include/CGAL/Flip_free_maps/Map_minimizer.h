@@ -181,6 +181,7 @@ private:
     Progress progress;
     double time_begin = 0;
     double characteristic_gradient = 0;
+    double energy_of_isometry = 0;
     bool is_rest_reference = true;
     double shift = BASE_SHIFT;
     int retries = 0;
@@ -256,6 +257,7 @@ private:
       m_is_analyzed = true;
     }
     run.characteristic_gradient = internal::characteristic_gradient(m_domain, m_traits.energy);
+    run.energy_of_isometry = m_traits.energy.template value<D>(internal::Vector<D>::Ones());
     m_is_factorized = m_is_factorized && run.options.keep_factorization;
     if(m_is_factorized) {
       // To the refactorization rule a kept matrix is one that has served well so far.
@@ -396,8 +398,12 @@ private:
     return false;
   }
 
-  // Where the energy is astronomical, by few elements that nearly collapse, small changes of it say nothing.
-  static bool is_nearly_stationary(const Run& run) { return run.progress.characteristic_gradient_norm <= 1; }
+  // Where the energy is astronomical, by few elements that nearly collapse, small changes of it say nothing. Where it is not, a large
+  // gradient says nothing: that of a needle is large as soon as it is not a perfect isometry.
+  static bool is_nearly_stationary(const Run& run)
+  {
+    return run.progress.characteristic_gradient_norm <= 1 || run.progress.rest_energy <= run.energy_of_isometry + ASTRONOMICAL;
+  }
 
   bool factorize(Run& run)
   {
@@ -677,6 +683,8 @@ private:
   // A step below THROTTLED that ends at a collapsing element frees the elements that collapse within BLOCKED times its bound.
   static constexpr double THROTTLED = 0.3;
   static constexpr double BLOCKED = 4;
+  // Mean energy above that of an isometry from which on a few elements make up most of it.
+  static constexpr double ASTRONOMICAL = 10;
   // Decrease of the energy over the predicted one up to which the quadratic model counts as right.
   static constexpr double TRUSTED_MODEL = 1.1;
   // Of the way of fixed vertices to their targets: rounds, iterations between them, and the shortest part of the rest of the way.

@@ -12,12 +12,31 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
+#include <CGAL/Flip_free_maps/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/internal/unfold.h>
 
+#include <cstdint>
 #include <string>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
+
+// Whether no element is flipped, and few are distorted much.
+template <typename Kernel>
+bool is_unfolded(const Simplicial_domain<2>& domain, const Positions<2>& x)
+{
+  constexpr double LARGEST_ENERGY = 1.5;
+  double energy = 0;
+  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
+    if(!is_positively_oriented<Kernel>(domain.elements[e], x))
+      return false;
+    const Matrix<2> jacobian = domain.jacobian(e, x);
+    const double square = jacobian.squaredNorm(), determinant = jacobian.determinant();
+    energy += domain.measures[e] * 0.25 * (square + square / (determinant * determinant));
+  }
+  return energy <= LARGEST_ENERGY;
+}
 
 // The start that `Traits::start` asks for. Where one kind fails the other is tried, if fallbacks are allowed.
 template <typename Traits>
@@ -29,6 +48,14 @@ Status make_start(const Simplicial_domain<2>& domain, const Traits& traits, Posi
   };
   const auto multilevel = [&] { return Multilevel_initializer<Traits>(traits)(domain, x, name, message); };
 
+  if(traits.start.unfold) {
+    unfold(domain, x);
+    // A surface that is not quite developable may tear.
+    if(is_unfolded<typename Traits::Kernel>(domain, x)) {
+      name = "unfolded";
+      return Status::success;
+    }
+  }
   const bool begins_coarse = traits.start.multilevel_size >= 0 && domain.number_of_elements() >= traits.start.multilevel_size;
   Status status = begins_coarse ? multilevel() : tutte();
   if(status != Status::start_not_flip_free || !traits.start.fall_back)

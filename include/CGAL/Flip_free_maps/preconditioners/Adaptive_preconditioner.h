@@ -29,6 +29,10 @@ struct Adaptive_preconditioner
   Slim_newton slim_newton;   ///< used in general
   Killing killing;           ///< used where an isometry is within reach
   bool uses_killing = false; ///< which of them is used
+  int patience = 30;         ///< iterations after which the Killing operator, not having done, is given up
+
+  /// Chooses for the next iteration.
+  void begin_iteration(const Run_state& state) { uses_killing = uses_killing && state.iteration < patience; }
 
   /// Writes the form for one element.
   template <int D, typename Energy>
