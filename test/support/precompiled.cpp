@@ -5,4 +5,19 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Owns the precompiled headers that the tests share; has nothing of its own.
+// Owns what the tests share: the precompiled headers and the compiled default method.
+
+#include "support/default_method.h"
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+template class Map_minimizer<2, Flip_free_map_traits<>>;
+
+namespace internal {
+
+template Status make_start(const Simplicial_domain<2>&, const Flip_free_map_traits<>&, Positions<2>&, std::string&, std::string&);
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
