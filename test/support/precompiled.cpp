@@ -12,6 +12,9 @@
 namespace CGAL {
 namespace Flip_free_maps {
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+template class Automatic_solver<Cholmod_solver>;
+#endif
 template class Map_minimizer<2, Flip_free_map_traits<>>;
 
 namespace internal {

@@ -45,7 +45,7 @@ public:
   {
     use_method("default");
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
-    use_linear_solver<Cholmod_solver>();
+    use_linear_solver<Automatic_solver<Cholmod_solver>>();
 #else
     use_linear_solver<Eigen_simplicial_solver>();
 #endif
@@ -68,7 +68,7 @@ public:
   }
 
   /// A new linear solver of the chosen type.
-  Any_linear_solver make_linear_solver() const { return m_make_linear_solver(); }
+  Any_linear_solver make_linear_solver() const { return m_make_linear_solver(options.memory_budget); }
 
   /// Enters the names of what is held into the account of a run.
   void name_choices(Summary& summary) const
@@ -157,7 +157,7 @@ public:
   }
 
 private:
-  std::function<Any_linear_solver()> m_make_linear_solver;
+  std::function<Any_linear_solver(double)> m_make_linear_solver;
   bool m_is_default = true;
 };
 

@@ -14,7 +14,9 @@
 #include <CGAL/Flip_free_maps/accelerations/Refactorization_rules.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/initializers/Start_options.h>
+#include <CGAL/Flip_free_maps/internal/linear_solver_members.h>
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+#include <CGAL/Flip_free_maps/linear_solvers/Automatic_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Cholmod_solver.h>
 #endif
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
@@ -38,7 +40,7 @@ namespace Flip_free_maps {
 /// \tparam Energy_ must be a model of `DistortionEnergy`. <b>Default:</b> \code Symmetric_dirichlet \endcode
 /// \tparam Preconditioner_ must be a model of `Preconditioner`. <b>Default:</b> \code Adaptive_preconditioner \endcode
 /// \tparam Reference_ must be a model of `Reference`. <b>Default:</b> \code Fixed_reference \endcode
-/// \tparam LinearSolver_ must be a model of `SymmetricSparseSolver`. <b>Default:</b> \code Cholmod_solver \endcode when
+/// \tparam LinearSolver_ must be a model of `SymmetricSparseSolver`. <b>Default:</b> \code Automatic_solver<Cholmod_solver> \endcode when
 ///         `CGAL_FLIP_FREE_MAPS_USE_CHOLMOD` is defined, \code Eigen_simplicial_solver \endcode otherwise
 /// \tparam Acceleration_ must be a model of `Acceleration`. <b>Default:</b> \code Lbfgs \endcode
 /// \tparam RefactorizationRule_ must be a model of `RefactorizationRule`. <b>Default:</b> \code On_demand \endcode
@@ -58,7 +60,7 @@ template <typename Kernel_ = CGAL::Default, typename Energy_ = CGAL::Default, ty
 class Flip_free_map_traits
 {
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
-  using Default_linear_solver = Cholmod_solver;
+  using Default_linear_solver = Automatic_solver<Cholmod_solver>;
 #else
   using Default_linear_solver = Eigen_simplicial_solver;
 #endif
@@ -115,8 +117,8 @@ public:
     }
   }
 
-  /// A new linear solver.
-  Linear_solver make_linear_solver() const { return Linear_solver(); }
+  /// A new linear solver, within `Map_options::memory_budget` if it takes one.
+  Linear_solver make_linear_solver() const { return internal::make_solver<Linear_solver>(options.memory_budget); }
 };
 
 } // namespace Flip_free_maps

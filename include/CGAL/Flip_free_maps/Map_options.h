@@ -79,6 +79,9 @@ struct Map_options
   double tikhonov = 0;
   /// A minimizer that runs again begins with the factorization of its last run, for maps that change a little between runs.
   bool keep_factorization = false;
+  /// Bytes that the factor of the matrix may take; beyond, `Automatic_solver`, which is in the default traits, iterates instead. 0 stands for
+  /// half of the machine's memory.
+  double memory_budget = 0;
 
   /// Called before the first and after every accepted step; returning `false` stops the run with a valid map.
   std::function<bool(const Iteration_report&)> observer;
@@ -95,6 +98,8 @@ struct Map_options
     if(!is_tolerance(characteristic_gradient_tolerance) || !is_tolerance(gradient_tolerance) ||
        !is_tolerance(relative_energy_tolerance))
       return fail("tolerances must be finite and not negative");
+    if(!(memory_budget >= 0))
+      return fail("memory_budget must not be negative");
     if(stagnation_iterations < 1)
       return fail("stagnation_iterations must be at least 1");
     if(std::isnan(target_energy))

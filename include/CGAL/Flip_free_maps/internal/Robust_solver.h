@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/Summary.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/linear_solver_members.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
 
@@ -74,7 +75,11 @@ public:
   {
     const Phase_timer timer(m_summary->seconds.solve);
     ++m_summary->linear_solves;
-    return m_fallback_is_current ? m_fallback->solve(b, x) : m_solver.solve(b, x);
+    if(m_fallback_is_current)
+      return m_fallback->solve(b, x);
+    const bool solved = m_solver.solve(b, x);
+    m_summary->inner_iterations += inner_iterations(m_solver);
+    return solved;
   }
 
 private:

@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_ANY_LINEAR_SOLVER_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_ANY_LINEAR_SOLVER_H
 
+#include <CGAL/Flip_free_maps/internal/linear_solver_members.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 
 #include <memory>
@@ -24,11 +25,12 @@ namespace Flip_free_maps {
 class Any_linear_solver
 {
 public:
-  /// Holds a new solver of the given type: `Any_linear_solver::make<Eigen_simplicial_solver>()`.
+  /// Holds a new solver of the given type: `Any_linear_solver::make<Eigen_simplicial_solver>()`. It may use `memory_budget` bytes if it takes
+  /// such a budget.
   template <typename Solver>
-  static Any_linear_solver make()
+  static Any_linear_solver make(double memory_budget = 0)
   {
-    return Any_linear_solver(std::make_unique<Model<Solver>>());
+    return Any_linear_solver(std::make_unique<Model<Solver>>(memory_budget));
   }
 
   /// Passed on.
@@ -43,6 +45,8 @@ public:
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) { return m_solver->solve(b, x); }
   /// Passed on.
   std::int64_t factor_entries() const { return m_solver->factor_entries(); }
+  /// Passed on, 0 for direct solvers.
+  int iterations() const { return m_solver->iterations(); }
 
 private:
   struct Base
@@ -54,17 +58,21 @@ private:
     virtual bool factorize(const Block_sparse_matrix& matrix) = 0;
     virtual bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
     virtual std::int64_t factor_entries() const = 0;
+    virtual int iterations() const = 0;
   };
 
   template <typename Solver>
   struct Model final : Base
   {
+    explicit Model(double memory_budget) : solver(internal::make_solver<Solver>(memory_budget)) {}
+
     std::string name() const override { return solver.name(); }
     std::string ordering() const override { return solver.ordering(); }
     bool analyze_pattern(const Block_sparse_matrix& matrix) override { return solver.analyze_pattern(matrix); }
     bool factorize(const Block_sparse_matrix& matrix) override { return solver.factorize(matrix); }
     bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) override { return solver.solve(b, x); }
     std::int64_t factor_entries() const override { return solver.factor_entries(); }
+    int iterations() const override { return internal::inner_iterations(solver); }
 
     Solver solver;
   };

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// Conjugate gradients against a dense factorization, their inexact solves, and the choice between them and a direct solver.
+
+#define BOOST_TEST_MODULE iterative_solvers
+#include <boost/test/included/unit_test.hpp>
+
+#include "support/generated_domains.h"
+#include "support/starts.h"
+
+#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Automatic_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
+
+#include <Eigen/Cholesky>
+
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace FFM = CGAL::Flip_free_maps;
+using namespace test_support;
+
+namespace {
+
+// Stiffness and a little mass, of blocks that couple the coordinates.
+template <int D>
+void fill(FFM::Block_sparse_matrix& matrix, const FFM::Simplicial_domain<2>& domain)
+{
+  Random random(71);
+  matrix.set_zero();
+  for(const auto& t : domain.elements)
+    for(int k = 0; k < 3; ++k)
+      for(int l = k + 1; l < 3; ++l) {
+        Eigen::Matrix<double, D, D> block;
+        for(Eigen::Index i = 0; i < block.size(); ++i)
+          block.data()[i] = random(-1, 1);
+        block = (block * block.transpose()).eval();
+        matrix.add_block(t[k], t[k], 0, block);
+        matrix.add_block(t[l], t[l], 0, block);
+        matrix.add_block(t[k], t[l], matrix.slot(t[k], t[l]), Eigen::Matrix<double, D, D>(-block));
+      }
+  for(FFM::Block_sparse_matrix::Index i = 0; i < matrix.rows(); ++i)
+    matrix.diagonal(i) += 1e-3;
+}
+
+Eigen::VectorXd product(const FFM::Block_sparse_matrix& matrix, const Eigen::VectorXd& x)
+{
+  return matrix.lower().selfadjointView<Eigen::Lower>() * x;
+}
+
+template <int D>
+struct System
+{
+  FFM::Simplicial_domain<2> domain = make_domain(bumpy_patch(14, 9));
+  FFM::Block_sparse_matrix matrix;
+  Eigen::VectorXd right, expected;
+
+  System()
+  {
+    matrix.build_pattern(domain.number_of_vertices, D, domain.elements);
+    fill<D>(matrix, domain);
+    right = Random(72).vector(static_cast<int>(matrix.rows()));
+    const Eigen::MatrixXd lower(matrix.lower());
+    Eigen::MatrixXd full = lower + lower.transpose();
+    full.diagonal() = lower.diagonal();
+    expected = full.ldlt().solve(right);
+  }
+};
+
+template <typename Solver, int D>
+void check(const System<D>& system)
+{
+  Eigen::VectorXd x;
+  Solver exact(1e-13);
+  BOOST_TEST(!exact.solve(system.right, x));
+  BOOST_TEST_REQUIRE(exact.analyze_pattern(system.matrix));
+  BOOST_TEST_REQUIRE(exact.factorize(system.matrix));
+  BOOST_TEST_REQUIRE(exact.solve(system.right, x));
+  BOOST_TEST((x - system.expected).norm() <= 1e-8 * system.expected.norm());
+
+  Solver inexact;
+  BOOST_TEST_REQUIRE(inexact.analyze_pattern(system.matrix));
+  BOOST_TEST_REQUIRE(inexact.factorize(system.matrix));
+  BOOST_TEST_REQUIRE(inexact.solve(system.right, x));
+  const double first = (product(system.matrix, x) - system.right).norm() / system.right.norm();
+  BOOST_TEST(first <= 0.01);
+  BOOST_TEST(first > 1e-9);
+  BOOST_TEST(inexact.iterations() > 0);
+  BOOST_TEST(inexact.iterations() < exact.iterations());
+  BOOST_TEST(x.dot(system.right) > 0);
+  // A right-hand side 10^-8 times as long is solved 10^4 times as exactly.
+  const Eigen::VectorXd small = 1e-8 * system.right;
+  BOOST_TEST_REQUIRE(inexact.solve(small, x));
+  BOOST_TEST((product(system.matrix, x) - small).norm() <= 1e-6 * small.norm());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(conjugate_gradients)
+{
+  check<FFM::Conjugate_gradient_solver<>>(System<2>());
+  check<FFM::Conjugate_gradient_solver<FFM::Block_jacobi<2>>>(System<2>());
+  check<FFM::Conjugate_gradient_solver<>>(System<3>());
+  check<FFM::Conjugate_gradient_solver<FFM::Block_jacobi<3>>>(System<3>());
+}
+
+BOOST_AUTO_TEST_CASE(blocks_that_are_not_positive_definite_are_refused)
+{
+  System<2> system;
+  system.matrix.diagonal(5) = -1;
+  FFM::Conjugate_gradient_solver<FFM::Block_jacobi<2>> solver;
+  BOOST_TEST_REQUIRE(solver.analyze_pattern(system.matrix));
+  BOOST_TEST(!solver.factorize(system.matrix));
+  Eigen::VectorXd x;
+  BOOST_TEST(!solver.solve(system.right, x));
+}
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+BOOST_AUTO_TEST_CASE(the_budget_decides)
+{
+  const System<2> system;
+  FFM::Cholmod_solver direct;
+  BOOST_TEST_REQUIRE(direct.analyze_pattern(system.matrix));
+  const double bytes = 8. * static_cast<double>(direct.factor_entries());
+  for(double budget : {0., 0.5 * bytes, 2 * bytes}) {
+    FFM::Automatic_solver<FFM::Cholmod_solver> solver(budget);
+    BOOST_TEST_REQUIRE(solver.analyze_pattern(system.matrix));
+    BOOST_TEST_REQUIRE(solver.factorize(system.matrix));
+    Eigen::VectorXd x;
+    BOOST_TEST_REQUIRE(solver.solve(system.right, x));
+    const double residual = (product(system.matrix, x) - system.right).norm() / system.right.norm();
+    if(budget == 0.5 * bytes) {
+      BOOST_TEST(solver.name().find("conjugate gradients") == 0u);
+      BOOST_TEST(solver.iterations() > 0);
+      BOOST_TEST(residual <= 0.01);
+    } else {
+      BOOST_TEST(solver.name().find("cholmod") == 0u);
+      BOOST_TEST(solver.iterations() == 0);
+      BOOST_TEST(residual <= 1e-12);
+    }
+  }
+}
+
+// Directions that are one percent off lead to the same minimum.
+BOOST_AUTO_TEST_CASE(maps_without_memory_for_a_factor)
+{
+  const FFM::Simplicial_domain<2> domain = make_domain(bumpy_patch(24, 18));
+  FFM::Flip_free_map_traits<> traits;
+  traits.options.characteristic_gradient_tolerance = 1e-7;
+  FFM::Positions<2> start;
+  std::string name, message;
+  BOOST_TEST_REQUIRE((FFM::internal::make_start(domain, traits, start, name, message) == FFM::Status::success));
+  FFM::Positions<2> x = start;
+  const FFM::Summary direct = FFM::Map_minimizer<2>(domain, traits).minimize(x);
+  traits.options.memory_budget = 1;
+  x = start;
+  const FFM::Summary iterative = FFM::Map_minimizer<2>(domain, traits).minimize(x);
+  BOOST_TEST(direct.converged());
+  BOOST_TEST(iterative.converged());
+  BOOST_TEST(direct.inner_iterations == 0);
+  BOOST_TEST(iterative.inner_iterations > iterative.iterations);
+  BOOST_TEST(iterative.linear_solver.find("conjugate gradients") == 0u);
+  BOOST_TEST(iterative.flips == 0);
+  BOOST_TEST(iterative.energy == direct.energy, boost::test_tools::tolerance(1e-9));
+
+  traits.options.memory_budget = -1;
+  BOOST_TEST(FFM::status_name(FFM::Map_minimizer<2>(domain, traits).minimize(x).status) ==
+             FFM::status_name(FFM::Status::invalid_option));
+}
+#endif
