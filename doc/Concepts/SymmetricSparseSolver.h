@@ -20,7 +20,9 @@ tries others with a larger diagonal.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_free_maps::Any_linear_solver}
+\cgalHasModels{CGAL::Flip_free_maps::Automatic_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Cholmod_solver}
+\cgalHasModels{CGAL::Flip_free_maps::Conjugate_gradient_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Eigen_simplicial_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Sparse_linear_algebra_solver}
 \cgalHasModelsEnd
@@ -52,4 +54,7 @@ public:
 
   /// Number of stored entries of the factor for reports, -1 if unknown.
   std::int64_t factor_entries() const;
+
+  /// Optional: iterations of the last solve, for reports of iterative solvers.
+  int iterations() const;
 };

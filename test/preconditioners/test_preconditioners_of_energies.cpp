@@ -5,7 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Preconditioners and all energies: matrices are positive semidefinite, SLIM's weights are positive and reproduce the gradient.
+// Preconditioners and all energies: matrices are positive semidefinite, SLIM's weights are positive and reproduce the gradient, and Hessians
+// agree with differences.
 
 #define BOOST_TEST_MODULE preconditioners_of_energies
 #include <boost/test/included/unit_test.hpp>
@@ -17,9 +18,12 @@
 #include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
 #include <CGAL/Flip_free_maps/preconditioners/Killing.h>
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
+#include <CGAL/Flip_free_maps/preconditioners/Newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
+
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +104,26 @@ void check_slim(const Energy& energy)
   BOOST_TEST(compared > 100);
 }
 
+// The Hessian on Jacobians against differences of the energy, by way of another decomposition.
+template <int D, typename Energy>
+void check_hessian(const Energy& energy)
+{
+  typedef Eigen::Matrix<double, D, D> Jacobian;
+  const auto value = [&energy](const Jacobian& J) {
+    return energy.template value<D>(Eigen::JacobiSVD<Jacobian>(J).singularValues());
+  };
+  Random random(22);
+  for(int k = 0; k < 12; ++k) {
+    // Away from 1 and from each other, where energies with absolute values and maxima have kinks.
+    Vector<D> s;
+    for(int i = 0; i < D; ++i)
+      s[i] = std::exp(0.45 * (i - 0.5 * (D - 1)) + 0.2 + random(-0.1, 0.1));
+    const Jacobian J = random.rotation<D>() * s.asDiagonal() * random.rotation<D>();
+    const Eigen::MatrixXd hessian = full_matrix<D>(FFM::Newton(), energy, J);
+    BOOST_TEST((hessian - hessian_by_differences<D>(value, J)).norm() <= 1e-6 * hessian.norm());
+  }
+}
+
 template <typename Energy>
 void check_majorization()
 {
@@ -116,6 +140,19 @@ BOOST_AUTO_TEST_CASE(all_are_positive_semidefinite)
     {
       check_all<2>(energy);
       check_all<3>(energy);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(hessians_of_all_energies)
+{
+  std::vector<FFM::Any_energy> energies = energies_with_barrier();
+  energies.emplace_back(FFM::Arap());
+  for(const FFM::Any_energy& energy : energies) {
+    BOOST_TEST_CONTEXT(energy.energy_name())
+    {
+      check_hessian<2>(energy);
+      check_hessian<3>(energy);
     }
   }
 }

@@ -15,6 +15,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <cmath>
 
 namespace test_support {
 
@@ -98,6 +101,26 @@ double relative_smallest_eigenvalue(const Matrix& m)
     Eigen::SelfAdjointEigenSolver<Matrix>(m, Eigen::EigenvaluesOnly).eigenvalues().eval();
   const double largest = values.cwiseAbs().maxCoeff();
   return largest > 0 ? values.minCoeff() / largest : 0;
+}
+
+// Second differences, of fourth order, of a function of the Jacobian.
+template <int D, typename Value>
+Eigen::MatrixXd hessian_by_differences(const Value& value, const Eigen::Matrix<double, D, D>& J)
+{
+  const double h = 1e-3 * J.inverse().norm() * J.determinant() / std::pow(J.norm(), D - 1);
+  Eigen::MatrixXd hessian(D * D, D * D);
+  const auto moved = [&](int i, int j, double a, double b) {
+    Eigen::Matrix<double, D, D> m = J;
+    m.data()[i] += a * h;
+    m.data()[j] += b * h;
+    return value(m);
+  };
+  for(int i = 0; i < D * D; ++i)
+    for(int j = 0; j < D * D; ++j) {
+      const auto mixed = [&](double k) { return (moved(i, j, k, k) - moved(i, j, k, -k) - moved(i, j, -k, k) + moved(i, j, -k, -k)) / (4 * k * k); };
+      hessian(i, j) = (4 * mixed(1) - mixed(2)) / (3 * h * h);
+    }
+  return hessian;
 }
 
 } // namespace test_support

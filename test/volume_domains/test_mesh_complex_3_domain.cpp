@@ -12,7 +12,12 @@
 
 #include "volume_domains/volume_checks.h"
 
+#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include <CGAL/Flip_free_maps/deform_volume.h>
 #include <CGAL/Flip_free_maps/domains/Mesh_complex_3_domain.h>
+#ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
+#include <CGAL/Flip_free_maps/domains/Tetgen_domain.h>
+#endif
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,14 +26,19 @@
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/make_mesh_3.h>
+#include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -55,7 +65,88 @@ Mesh_complex ball_of_two_parts()
   return CGAL::make_mesh_3<Mesh_complex>(domain, criteria);
 }
 
+// The left of the ball is held, the right is turned by an angle around the x-axis and drawn out.
+bool place_of_handle(const Eigen::Vector3d& p, Kernel::Point_3& place)
+{
+  const double angle = p.x() > 0.7 ? 0.9 : 0, shift = p.x() > 0.7 ? 0.3 : 0;
+  place = Kernel::Point_3(p.x() + shift, std::cos(angle) * p.y() - std::sin(angle) * p.z(), std::sin(angle) * p.y() + std::cos(angle) * p.z());
+  return p.x() > 0.7 || p.x() < -0.7;
+}
+
+FFM::Flip_free_map_traits<> tight_traits()
+{
+  FFM::Flip_free_map_traits<> traits;
+  traits.options.characteristic_gradient_tolerance = 1e-9;
+  return traits;
+}
+
+// The same for vertices that are numbers.
+double energy_of(const FFM::Volume_domain<std::size_t>& domain, const FFM::Tetrahedral_mesh& mesh)
+{
+  std::vector<std::pair<std::size_t, Kernel::Point_3>> handles;
+  for(std::size_t v = 0; v < mesh.points.size(); ++v) {
+    Kernel::Point_3 place;
+    if(place_of_handle(Eigen::Vector3d(mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]), place))
+      handles.emplace_back(v, place);
+  }
+  std::vector<Kernel::Point_3> result(mesh.points.size(), Kernel::Point_3(CGAL::ORIGIN));
+  const FFM::Summary summary = FFM::deform_volume(domain, handles, CGAL::make_property_map(result), tight_traits());
+  BOOST_TEST(summary.converged(), summary.message);
+  BOOST_TEST(summary.flips == 0);
+  return summary.energy;
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(the_same_tetrahedra_have_the_same_energies_from_every_source)
+{
+  const Mesh_complex complex = ball_of_two_parts();
+  FFM::Mesh_complex_3_domain<Mesh_complex> domain;
+  std::string message;
+  BOOST_TEST_REQUIRE((domain.load(complex, message) == Status::success), message);
+  std::vector<std::pair<Mesh_complex::Vertex_handle, Kernel::Point_3>> handles;
+  FFM::Tetrahedral_mesh mesh;
+  std::unordered_map<Mesh_complex::Vertex_handle, int> numbers;
+  for(const auto v : domain.vertices()) {
+    const Kernel::Point_3 p = v->point().point();
+    numbers.emplace(v, static_cast<int>(mesh.points.size()));
+    mesh.points.push_back({{p.x(), p.y(), p.z()}});
+    Kernel::Point_3 place;
+    if(place_of_handle(Eigen::Vector3d(p.x(), p.y(), p.z()), place))
+      handles.emplace_back(v, place);
+  }
+  std::unordered_map<Mesh_complex::Vertex_handle, Kernel::Point_3> result;
+  const FFM::Summary summary = FFM::deform_volume(domain, handles, boost::make_assoc_property_map(result), tight_traits());
+  BOOST_TEST_REQUIRE(summary.converged(), summary.message);
+  BOOST_TEST(summary.energy > 1.01);
+
+  // In another order and through a file.
+  for(auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c)
+    mesh.tetrahedra.push_back({numbers.at(c->vertex(0)), numbers.at(c->vertex(1)), numbers.at(c->vertex(2)), numbers.at(c->vertex(3))});
+  std::reverse(mesh.tetrahedra.begin(), mesh.tetrahedra.end());
+  FFM::Tetrahedral_mesh copy;
+  BOOST_TEST_REQUIRE(FFM::write_volume("same_energies.mesh", mesh, &message), message);
+  BOOST_TEST_REQUIRE(FFM::read_volume("same_energies.mesh", copy, &message), message);
+  FFM::Tetrahedral_domain arrays;
+  BOOST_TEST_REQUIRE((arrays.load(copy.points, copy.tetrahedra, message) == Status::success), message);
+  BOOST_TEST(energy_of(arrays, copy) == summary.energy, boost::test_tools::tolerance(1e-11));
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
+  tetgenio io;
+  io.numberofpoints = static_cast<int>(copy.points.size());
+  io.pointlist = new double[3 * copy.points.size()];
+  for(std::size_t v = 0; v < copy.points.size(); ++v)
+    std::copy(copy.points[v].begin(), copy.points[v].end(), io.pointlist + 3 * v);
+  io.numberofcorners = 4;
+  io.numberoftetrahedra = static_cast<int>(copy.tetrahedra.size());
+  io.tetrahedronlist = new int[4 * copy.tetrahedra.size()];
+  for(std::size_t t = 0; t < copy.tetrahedra.size(); ++t)
+    std::copy(copy.tetrahedra[t].begin(), copy.tetrahedra[t].end(), io.tetrahedronlist + 4 * t);
+  FFM::Tetgen_domain tetgen;
+  BOOST_TEST_REQUIRE((tetgen.load(io, message) == Status::success), message);
+  BOOST_TEST(energy_of(tetgen, copy) == summary.energy, boost::test_tools::tolerance(1e-11));
+#endif
+}
 
 BOOST_AUTO_TEST_CASE(mesh_complex)
 {

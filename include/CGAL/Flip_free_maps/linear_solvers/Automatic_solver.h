@@ -12,17 +12,20 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 
 #include <cstdint>
-#include <memory>
 #include <string>
 
 namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
-/// A direct solver while its factor fits into a budget of memory, conjugate gradients beyond it. The factor's size is known after the analysis
-/// of the pattern, before memory is taken.
+/// A direct solver, or conjugate gradients where these are better: when the factor exceeds a budget of memory, and, for solids, when a factorization
+/// needs more than 30000 operations per entry of the matrix, which is so from some 100000 tetrahedra on (a bar of 40000 tetrahedra is
+/// deformed in half the time by conjugate gradients, one of 320000 in a tenth). The size of the factor and the operations are known
+/// after the analysis of the pattern, before memory is taken. When conjugate gradients do not converge, the direct solver takes over from the next
+/// matrix on, if its factor fits.
 ///
-/// \tparam DirectSolver must be a model of `SymmetricSparseSolver` that knows the entries of its factor after the analysis
+/// \tparam DirectSolver must be a model of `SymmetricSparseSolver` with a member `factor_operations()`, which like `factor_entries()` is known
+///   after the analysis
 ///
 /// \cgalModels{SymmetricSparseSolver}
 template <typename DirectSolver>
@@ -33,53 +36,59 @@ public:
 
   /// \param memory_budget bytes for the factor; 0 stands for half of the machine's memory
   explicit Automatic_solver(double memory_budget = 0)
-    : m_budget(memory_budget > 0 ? memory_budget : 0.5 * internal::physical_memory()), m_direct(std::make_unique<DirectSolver>())
+    : m_budget(memory_budget > 0 ? memory_budget : 0.5 * internal::physical_memory())
   {}
 
   /// That of the solver in use.
-  std::string name() const { return m_direct != nullptr ? m_direct->name() : m_iterative->name(); }
+  std::string name() const { return m_is_direct ? m_direct.name() : m_iterative.name(); }
   /// That of the solver in use.
-  std::string ordering() const { return m_direct != nullptr ? m_direct->ordering() : m_iterative->ordering(); }
+  std::string ordering() const { return m_is_direct ? m_direct.ordering() : m_iterative.ordering(); }
 
   /// Analyses the pattern for the direct solver, and chooses.
   bool analyze_pattern(const Block_sparse_matrix& matrix)
   {
-    if(m_direct == nullptr)
-      m_direct = std::make_unique<DirectSolver>();
-    if(m_direct->analyze_pattern(matrix) && ENTRY_BYTES * static_cast<double>(m_direct->factor_entries()) <= m_budget) {
-      m_iterative.reset();
-      return true;
-    }
-    m_direct.reset();
-    m_iterative = std::make_unique<Conjugate_gradient_solver<>>();
-    return m_iterative->analyze_pattern(matrix);
+    m_fits = m_direct.analyze_pattern(matrix) && ENTRY_BYTES * static_cast<double>(m_direct.factor_entries()) <= m_budget;
+    const bool is_slow =
+      matrix.block_size() == 3 && m_direct.factor_operations() > SLOW * static_cast<double>(matrix.number_of_entries());
+    m_is_direct = m_fits && !is_slow;
+    m_has_failed = false;
+    return m_is_direct || m_iterative.analyze_pattern(matrix);
   }
 
   /// Passed on.
   bool factorize(const Block_sparse_matrix& matrix)
   {
-    return m_direct != nullptr ? m_direct->factorize(matrix) : m_iterative->factorize(matrix);
+    m_is_direct = m_is_direct || (m_has_failed && m_fits);
+    return m_is_direct ? m_direct.factorize(matrix) : m_iterative.factorize(matrix);
   }
 
   /// Passed on.
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
-    return m_direct != nullptr ? m_direct->solve(b, x) : m_iterative->solve(b, x);
+    if(m_is_direct)
+      return m_direct.solve(b, x);
+    const bool solved = m_iterative.solve(b, x);
+    m_has_failed = !solved || !m_iterative.converged();
+    return solved;
   }
 
   /// Iterations of the last solve, 0 for the direct solver.
-  int iterations() const { return m_iterative != nullptr ? m_iterative->iterations() : 0; }
+  int iterations() const { return m_is_direct ? 0 : m_iterative.iterations(); }
 
   /// That of the solver in use.
-  std::int64_t factor_entries() const { return m_direct != nullptr ? m_direct->factor_entries() : m_iterative->factor_entries(); }
+  std::int64_t factor_entries() const { return m_is_direct ? m_direct.factor_entries() : m_iterative.factor_entries(); }
 
 private:
   // A value, and what supernodes and work space take in proportion.
   static constexpr double ENTRY_BYTES = 10;
+  static constexpr double SLOW = 3e4;
 
   double m_budget;
-  std::unique_ptr<DirectSolver> m_direct; // null while the iterative one is in use
-  std::unique_ptr<Conjugate_gradient_solver<>> m_iterative;
+  DirectSolver m_direct;
+  Conjugate_gradient_solver<> m_iterative;
+  bool m_fits = true;
+  bool m_is_direct = true;
+  bool m_has_failed = false;
 };
 
 } // namespace Flip_free_maps

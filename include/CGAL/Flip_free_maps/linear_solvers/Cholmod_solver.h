@@ -103,6 +103,7 @@ public:
     use_method(CHOLMOD_GIVEN);
     m_factor = cholmod_l_analyze_p(&full, expanded.data(), nullptr, 0, &m_common);
     m_factor_entries = m_factor != nullptr ? static_cast<std::int64_t>(m_common.lnz) : -1;
+    m_factor_operations = m_common.fl;
     return m_factor != nullptr;
   }
 
@@ -138,8 +139,11 @@ public:
     return x.allFinite();
   }
 
-  /// Entries of the factor.
+  /// Entries of the factor, known after the analysis.
   std::int64_t factor_entries() const { return m_factor_entries; }
+
+  /// Floating-point operations of a factorization, known after the analysis.
+  double factor_operations() const { return m_factor_operations; }
 
 private:
   static_assert(sizeof(SuiteSparse_long) == sizeof(Block_sparse_matrix::Index), "CHOLMOD's long indices must have 64 bits");
@@ -240,6 +244,7 @@ private:
   cholmod_dense* m_work_e = nullptr;
   std::string m_ordering;
   std::int64_t m_factor_entries = -1;
+  double m_factor_operations = 0;
   bool m_factorized = false;
 };
 

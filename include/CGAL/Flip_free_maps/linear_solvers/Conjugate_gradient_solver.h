@@ -156,6 +156,9 @@ public:
     return x.allFinite();
   }
 
+  /// Whether the last solve met its tolerance.
+  bool converged() const { return m_solver.info() == Eigen::Success; }
+
   /// Iterations of the last solve.
   int iterations() const { return m_iterations; }
 
