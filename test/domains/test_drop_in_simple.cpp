@@ -176,25 +176,38 @@ BOOST_AUTO_TEST_CASE(every_status_has_a_code)
     {Status::file_error, SMP::ERROR_WRONG_PARAMETER},
     {Status::out_of_memory, SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM},
     {Status::not_planar, SMP::ERROR_WRONG_PARAMETER},
-    {Status::flips_remain, SMP::ERROR_NO_1_TO_1_MAPPING}};
-  BOOST_TEST(std::size(cases) == static_cast<std::size_t>(Status::flips_remain) + 1);
+    {Status::flips_remain, SMP::ERROR_NO_1_TO_1_MAPPING},
+    {Status::not_bijective, SMP::ERROR_NO_1_TO_1_MAPPING}};
+  BOOST_TEST(std::size(cases) == static_cast<std::size_t>(Status::not_bijective) + 1);
   for(const auto& c : cases) {
     BOOST_TEST(FFM::to_error_code(c.status) == c.code);
     BOOST_TEST(FFM::is_valid_map(c.status) == (c.code == SMP::OK));
   }
 }
 
+BOOST_AUTO_TEST_CASE(hole)
+{
+  test_support::Soup soup = bumpy_soup(3, 3);
+  soup.triangles.erase(soup.triangles.begin() + 8, soup.triangles.begin() + 10);
+  Fixture fixture(soup);
+  FFM::Summary summary;
+  BOOST_TEST(SMP::parameterize(fixture.sm, Parameterizer(&summary), fixture.border(), fixture.uv_map) == SMP::OK);
+  BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(FFM::Status::success));
+  BOOST_TEST(FFM::number_of_flipped_elements(fixture.sm, fixture.uv_map) == 0);
+}
+
 BOOST_AUTO_TEST_CASE(failures)
 {
   FFM::Summary summary;
   {
-    // A hole beside the border.
-    test_support::Soup soup = bumpy_soup(3, 3);
-    soup.triangles.erase(soup.triangles.begin() + 8, soup.triangles.begin() + 10);
+    // Two holes that meet at a vertex.
+    test_support::Soup soup = bumpy_soup(4, 4);
+    soup.triangles.erase(soup.triangles.begin() + 20, soup.triangles.begin() + 22);
+    soup.triangles.erase(soup.triangles.begin() + 10, soup.triangles.begin() + 12);
     Fixture fixture(soup);
     BOOST_TEST(SMP::parameterize(fixture.sm, Parameterizer(&summary), fixture.border(), fixture.uv_map) == SMP::ERROR_NO_TOPOLOGICAL_DISC);
     BOOST_TEST(fixture.is_untouched());
-    BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(FFM::Status::not_a_disk));
+    BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(FFM::Status::non_manifold));
     BOOST_TEST(!summary.message.empty());
   }
   {

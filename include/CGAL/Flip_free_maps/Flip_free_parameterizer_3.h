@@ -61,6 +61,7 @@ inline CGAL::Surface_mesh_parameterization::Error_code to_error_code(Status stat
   case Status::line_search_failed:
   case Status::result_not_representable:
   case Status::flips_remain:
+  case Status::not_bijective:
     return SMP::ERROR_NO_1_TO_1_MAPPING;
   case Status::degenerate_rest_element:
   case Status::non_finite_input:
@@ -176,7 +177,7 @@ public:
   /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with vertex descriptors as keys and `bool` as values
   ///
   /// \param mesh a triangle mesh
-  /// \param border_halfedge a halfedge on the border of the component, a disk
+  /// \param border_halfedge a halfedge on the outer border of the component, a disk that may have holes
   /// \param uv_map receives the map if it is valid, see `CGAL::Flip_free_maps::parameterize()`
   /// \param vertex_index_map handed to the border parameterizer
   /// \param vertex_parameterized_map receives `true` for each vertex that was written

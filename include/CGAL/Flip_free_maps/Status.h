@@ -24,7 +24,7 @@ enum class Status
   not_triangular,          ///< a face has more than three edges
   no_border,               ///< the surface is closed, or the given halfedge is not on the border
   several_components,      ///< several connected components where one is wanted
-  not_a_disk,              ///< several borders, or handles
+  not_a_disk,              ///< the surface has handles: neither a disk nor a disk with holes
   non_manifold,            ///< a vertex or an edge is used by more than one sheet of the surface
   degenerate_rest_element, ///< an element of the input has zero area or volume
   non_finite_input,        ///< a coordinate of the input is NaN or infinite
@@ -37,7 +37,8 @@ enum class Status
   file_error,              ///< a file could not be read or written
   out_of_memory,           ///< memory was exhausted
   not_planar,              ///< the rest shape of a planar deformation does not lie in a plane z = const
-  flips_remain             ///< no map without flipped elements was found from the given one
+  flips_remain,            ///< no map without flipped elements was found from the given one
+  not_bijective            ///< the map was to be bijective, and no such map was found
 };
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -67,6 +68,7 @@ inline const char* status_name(Status status)
   case Status::out_of_memory: return "out_of_memory";
   case Status::not_planar: return "not_planar";
   case Status::flips_remain: return "flips_remain";
+  case Status::not_bijective: return "not_bijective";
   }
   return "unknown";
 }

@@ -55,6 +55,7 @@ struct Summary
   double characteristic_gradient_norm = -1; ///< the same over the characteristic gradient (see `Map_options`)
   double min_singular_value = -1;           ///< smallest singular value over all elements
   double max_singular_value = -1;           ///< largest singular value over all elements
+  int is_bijective = -1;                    ///< 1 when the image does not overlap itself, 0 when it does, -1 when nobody asked
   std::int64_t flips = -1;                  ///< elements that are not positively oriented, by exact predicates
   Phase_seconds seconds;                    ///< wall-clock seconds by phase
   double cpu_seconds = 0;                   ///< CPU seconds (all threads) of `seconds.total`
@@ -100,6 +101,9 @@ void to_json(Json& json, const Summary& summary)
   json["gradient_norm"] = summary.gradient_norm;
   json["characteristic_gradient_norm"] = summary.characteristic_gradient_norm;
   json["flips"] = summary.flips;
+  json["bijective"] = nullptr;
+  if(summary.is_bijective >= 0)
+    json["bijective"] = summary.is_bijective == 1;
   json["min_singular_value"] = summary.min_singular_value;
   json["max_singular_value"] = summary.max_singular_value;
   Json seconds = Json::object();

@@ -30,6 +30,7 @@ enum Start_map_tag { start_map_tag };
 enum Face_weight_map_tag { face_weight_map_tag };
 enum Soft_positions_tag { soft_positions_tag };
 enum Border_is_fixed_tag { border_is_fixed_tag };
+enum Bijective_tag { bijective_tag };
 
 } // namespace internal
 

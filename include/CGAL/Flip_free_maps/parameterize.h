@@ -17,15 +17,18 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Flattens a surface patch into the plane with as little distortion as possible and no flipped triangle.
+/// Flattens a surface patch into the plane with as little distortion as possible and no flipped triangle. The patch is a disk, which may
+/// have holes.
 ///
 /// \tparam TriangleMesh must be a model of `FaceListGraph` whose descriptors are `Hashable`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`,
 ///   `CGAL::Seam_mesh`, `CGAL::Face_filtered_graph`, OpenMesh, or a user's own
@@ -34,7 +37,8 @@ namespace Flip_free_maps {
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a triangle mesh
-/// \param border_halfedge a halfedge on the border of the component to be flattened, which must be a topological disk
+/// \param border_halfedge a halfedge on the outer border of the component to be flattened, which must be of genus 0. All other borders
+///   are holes: the start closes them, the map does not. Any border may be the outer one; the choice decides which map is found
 /// \param uv_map receives the map in the units of length of the surface: an isometry keeps all lengths. It is written once, at the
 ///   end, if the map is valid, and left untouched otherwise. Orientation is positive: triangles are counterclockwise.
 /// \param traits the method and its settings, see `Flip_free_map_traits`
@@ -62,7 +66,7 @@ namespace Flip_free_maps {
 ///     \cgalParamDefault{a start is computed as `Traits::start` says}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{Flip_free_maps::parameters::border_is_fixed}
-///     \cgalParamDescription{whether the border keeps the shape that it has in the start, be it convex or not}
+///     \cgalParamDescription{whether all borders keep the shapes that they have in the start, be they convex or not}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -76,12 +80,17 @@ namespace Flip_free_maps {
 ///     \cgalParamType{a range of `std::tuple<vertex_descriptor, Point_2, double>`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::bijective}
+///     \cgalParamDescription{whether the image must not overlap itself, see \ref FFMBijective; declared in `CGAL/Flip_free_maps/bijective.h`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns how it ended and what it cost; `Summary::is_valid()` tells whether `uv_map` was written. Bad input gives a status and a
 ///   message, not an exception: `no_border`, `empty_mesh`, `not_triangular`, `not_a_disk`, `non_manifold`,
 ///   `degenerate_rest_element`, `non_finite_input`, `start_not_flip_free`, `invalid_option`, `linear_solver_failed`,
-///   `line_search_failed`, `result_not_representable`, `out_of_memory`.
+///   `line_search_failed`, `result_not_representable`, `not_bijective`, `out_of_memory`.
 ///
 /// Complexity: linear in the number of faces except for one sparse factorization per iteration; memory is that of the factor and
 /// some hundred bytes per face.
@@ -126,8 +135,12 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
         if(get(is_fixed, graph.vertices()[v]))
           constraints.fixed_vertices.push_back(v);
     }
-    if(choose_parameter(get_parameter(np, internal::border_is_fixed_tag), false))
-      constraints.fixed_vertices.insert(constraints.fixed_vertices.end(), graph.domain().border.begin(), graph.domain().border.end());
+    if(choose_parameter(get_parameter(np, internal::border_is_fixed_tag), false)) {
+      std::vector<std::int32_t>& fixed = constraints.fixed_vertices;
+      fixed.insert(fixed.end(), graph.domain().border.begin(), graph.domain().border.end());
+      for(const auto& hole : graph.domain().holes)
+        fixed.insert(fixed.end(), hole.begin(), hole.end());
+    }
     if constexpr(internal::Has_parameter<NamedParameters, internal::Soft_positions_tag>::value)
       for(const auto& soft : get_parameter(np, internal::soft_positions_tag)) {
         const auto& p = std::get<1>(soft);
@@ -143,7 +156,13 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
     static_cast<void>(message);
     return Status::success;
   };
-  return internal::flatten(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given);
+  if constexpr(internal::Has_parameter<NamedParameters, internal::Bijective_tag>::value) {
+    auto minimization = get_parameter(np, internal::bijective_tag);
+    minimization.keeps_start = internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value;
+    return internal::flatten(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given, minimization);
+  } else {
+    return internal::flatten(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given);
+  }
 }
 
 /// \ingroup PkgFlipFreeMapsRef

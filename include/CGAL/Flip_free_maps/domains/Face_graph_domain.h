@@ -79,7 +79,7 @@ public:
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   /// @}
 
-  /// Reads the component of `border_halfedge`, which must be a topological disk.
+  /// Reads the component of `border_halfedge`, which must be a topological disk, or a disk with holes. The halfedge is on the outer border.
   ///
   /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and points in space as values
   /// \returns `Status::success`, or one of `empty_mesh`, `not_triangular`, `no_border`, `not_a_disk`, `non_manifold`,
@@ -227,7 +227,7 @@ private:
     std::vector<face_descriptor>& queue = m_faces;
     queue.assign(1, first);
     m_inner_halfedges = 0;
-    m_border_halfedges = 0;
+    m_border_halfedges.clear();
     for(std::size_t q = 0; q < queue.size(); ++q) {
       const halfedge_descriptor h = halfedge(queue[q], mesh);
       if(next(next(next(h, mesh), mesh), mesh) != h || next(next(h, mesh), mesh) == h) {
@@ -240,7 +240,7 @@ private:
         element[k] = number(source(g, mesh));
         const face_descriptor neighbor = face(opposite(g, mesh), mesh);
         if(neighbor == null_face) {
-          ++m_border_halfedges;
+          m_border_halfedges.push_back(opposite(g, mesh));
           continue;
         }
         ++m_inner_halfedges;
@@ -263,37 +263,54 @@ private:
 
   Status check_topology(const TriangleMesh& mesh, halfedge_descriptor border_halfedge, std::string& message)
   {
-    // Counterclockwise as seen from the faces: backwards along the border halfedges.
     std::vector<char> on_border(m_vertices.size(), 0);
-    halfedge_descriptor h = border_halfedge;
-    bool touches_itself = false;
-    do {
-      const std::int32_t v = m_numbers.at(target(h, mesh));
-      touches_itself = touches_itself || on_border[v];
-      on_border[v] = 1;
-      m_domain.border.push_back(v);
-      h = prev(h, mesh);
-    } while(h != border_halfedge && m_domain.border.size() <= m_border_halfedges);
-    if(touches_itself) {
+    if(!walk_border(mesh, border_halfedge, on_border, m_domain.border)) {
       message = "the border passes through a vertex twice";
       return Status::non_manifold;
     }
+    std::size_t passed = m_domain.border.size();
+    bool touches = false;
+    for(const halfedge_descriptor h : m_border_halfedges)
+      if(!on_border[m_numbers.at(target(h, mesh))]) {
+        m_domain.holes.emplace_back();
+        touches = !walk_border(mesh, h, on_border, m_domain.holes.back()) || touches;
+        passed += m_domain.holes.back().size();
+      }
+    if(touches || passed != m_border_halfedges.size()) {
+      message = "borders meet at a vertex";
+      return Status::non_manifold;
+    }
 
-    const std::size_t other_border_edges = m_border_halfedges - m_domain.border.size();
     const std::int64_t euler = static_cast<std::int64_t>(m_vertices.size()) + m_domain.number_of_elements() -
-                               static_cast<std::int64_t>(m_border_halfedges + m_inner_halfedges / 2);
-    if(other_border_edges == 0 && euler == 1)
+                               static_cast<std::int64_t>(m_border_halfedges.size() + m_inner_halfedges / 2);
+    const std::int64_t borders = 1 + static_cast<std::int64_t>(m_domain.holes.size());
+    if(euler == 2 - borders)
       return Status::success;
     if(has_pinched_vertex(mesh)) {
       message = "several sheets of the surface meet at a vertex";
       return Status::non_manifold;
     }
-    if(other_border_edges > 0)
-      message = "the component has several borders: " + std::to_string(other_border_edges) +
-                " border edges are not on the border of the given halfedge";
-    else
-      message = "the component has handles: its Euler characteristic is " + std::to_string(euler) + ", that of a disk is 1";
+    message = "the component has genus " + std::to_string((2 - borders - euler) / 2) + ": its Euler characteristic is " +
+              std::to_string(euler) + ", and with " + std::to_string(borders) + (borders == 1 ? " border" : " borders") +
+              " it should be " + std::to_string(2 - borders) + "; cut_to_disk() opens its handles";
     return Status::not_a_disk;
+  }
+
+  // The vertices of the border that a halfedge is on, in the order of the faces' edges there: backwards along the border halfedges. `false`
+  // if one of them was met before, on this border or another.
+  bool walk_border(const TriangleMesh& mesh, halfedge_descriptor border_halfedge, std::vector<char>& on_border,
+                   std::vector<std::int32_t>& border) const
+  {
+    bool is_simple = true;
+    halfedge_descriptor h = border_halfedge;
+    do {
+      const std::int32_t v = m_numbers.at(target(h, mesh));
+      is_simple = is_simple && !on_border[v];
+      on_border[v] = 1;
+      border.push_back(v);
+      h = prev(h, mesh);
+    } while(h != border_halfedge && border.size() <= m_border_halfedges.size());
+    return is_simple;
   }
 
   // Whether the faces around some vertex form more than one fan: the walk around the vertex then misses some of them.
@@ -382,7 +399,7 @@ private:
   std::vector<face_descriptor> m_faces;
   std::unordered_map<vertex_descriptor, std::int32_t> m_numbers;
   std::size_t m_inner_halfedges = 0;
-  std::size_t m_border_halfedges = 0;
+  std::vector<halfedge_descriptor> m_border_halfedges;
 };
 
 } // namespace Flip_free_maps

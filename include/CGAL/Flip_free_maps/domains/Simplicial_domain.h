@@ -57,10 +57,13 @@ struct Simplicial_domain
   /// For shapes that lie where their maps do: the user's coordinates of this domain's origin. User's coordinates are `origin` plus
   /// `scale` times this domain's.
   internal::Vector<D> origin = internal::Vector<D>::Zero();
-  /// For a disk: its border vertices, counterclockwise as seen from the elements. Otherwise empty.
+  /// For a disk, with holes or without: its border vertices, counterclockwise as seen from the elements. Otherwise empty.
   std::vector<std::int32_t> border;
   /// Rest lengths of the border edges; edge i goes from `border[i]` to the next.
   std::vector<double> border_lengths;
+  /// For a disk with holes: the vertices around each, in the order of the elements' edges there, that is, clockwise around the hole in a
+  /// map. `border` is the outer one then.
+  std::vector<std::vector<std::int32_t>> holes;
 
   /// Number of elements.
   std::int64_t number_of_elements() const { return static_cast<std::int64_t>(elements.size()); }

@@ -55,7 +55,7 @@ public:
 
   /// Computes the start.
   ///
-  /// \param domain a disk with its border and its rest points in space
+  /// \param domain a disk with its border and its rest points in space, which may have holes
   /// \param x the start, positively oriented; undefined after a failure
   /// \param name what was done
   /// \param message why it failed

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/initializers/Start_options.h>
 #include <CGAL/Flip_free_maps/internal/Element_schedule.h>
 #include <CGAL/Flip_free_maps/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/internal/fill_holes.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 
 #include <CGAL/number_type_config.h>
@@ -45,7 +46,8 @@ inline const char* border_name(Border_shape border)
 
 /// \ingroup PkgFlipFreeMapsInitializers
 /// The embedding of a disk with its border on a convex curve and every other vertex at a weighted mean of its neighbours
-/// (Tutte 1963, Floater 2003), certified by exact predicates. In exact arithmetic positive weights leave no element flipped; in double
+/// (Tutte 1963, Floater 2003), certified by exact predicates. Holes are closed for it by triangles that lie nowhere in space, and open
+/// again in the result. In exact arithmetic positive weights leave no element flipped; in double
 /// precision long thin tubes shrink below the spacing of the numbers, and other weights are tried then.
 ///
 /// \tparam Kernel must be a CGAL kernel with exact orientation predicates and number type `double`
@@ -62,7 +64,7 @@ public:
 
   /// Computes the start.
   ///
-  /// \param domain a disk with its border
+  /// \param domain a disk with its border, which may have holes
   /// \param make_linear_solver makes a `LinearSolver`
   /// \param x the start, area about 1, positively oriented; undefined after a failure
   /// \param name which start it is, fallbacks included
@@ -229,6 +231,11 @@ private:
   static bool embed(const Simplicial_domain<2>& domain, const Positions<2>& border_positions, Tutte_weights kind,
                     MakeLinearSolver&& make_linear_solver, Positions<2>& x)
   {
+    if(!domain.holes.empty()) {
+      const bool done = embed(internal::fill_holes(domain), border_positions, kind, make_linear_solver, x);
+      x.conservativeResize(2, domain.number_of_vertices);
+      return done;
+    }
     const std::int32_t n = domain.number_of_vertices;
     std::vector<std::int32_t> unknown(n, 0);
     x.setZero(2, n);

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// A disk in space that is simplified by half-edge collapses and taken back step by step. Collapses come in passes: the vertices removed
+// A disk in space, possibly with holes, that is simplified by half-edge collapses and taken back step by step. Collapses come in passes: the vertices removed
 // in one pass are pairwise not adjacent, so the triangles around one do not contain another, and within a pass they can be put
 // back in any order. Triangles keep their numbers: those that lose an edge sleep, those that lose a vertex get its target instead.
 class Progressive_disk
@@ -37,17 +37,14 @@ public:
   explicit Progressive_disk(const Simplicial_domain<2>& domain)
     : m_points(domain.rest_points), m_triangles(domain.elements), m_is_awake(domain.elements.size(), 1),
       m_stars(domain.number_of_vertices), m_next(domain.number_of_vertices, -1), m_previous(domain.number_of_vertices, -1),
-      m_target(domain.number_of_vertices, -1), m_number_of_triangles(domain.number_of_elements()),
-      m_border_size(domain.border.size())
+      m_target(domain.number_of_vertices, -1), m_loop(domain.number_of_vertices, -1), m_number_of_triangles(domain.number_of_elements())
   {
     for(std::size_t t = 0; t < m_triangles.size(); ++t)
       for(std::int32_t v : m_triangles[t])
         m_stars[v].push_back(static_cast<std::int32_t>(t));
-    for(std::size_t i = 0; i < domain.border.size(); ++i) {
-      const std::int32_t v = domain.border[i], w = domain.border[(i + 1) % domain.border.size()];
-      m_next[v] = w;
-      m_previous[w] = v;
-    }
+    add_loop(domain.border);
+    for(const auto& hole : domain.holes)
+      add_loop(hole);
   }
 
   std::int64_t number_of_triangles() const { return m_number_of_triangles; }
@@ -100,7 +97,7 @@ public:
       }
     }
     if(is_on_border(v)) {
-      ++m_border_size;
+      ++m_loop_sizes[m_loop[v]];
       m_next[m_previous[v]] = v;
       m_previous[m_next[v]] = v;
     }
@@ -125,7 +122,7 @@ public:
       }
     }
     if(is_on_border(v)) {
-      --m_border_size;
+      --m_loop_sizes[m_loop[v]];
       m_next[m_previous[v]] = m_next[v];
       m_previous[m_next[v]] = m_previous[v];
     }
@@ -180,15 +177,21 @@ public:
     result.number_of_vertices = static_cast<std::int32_t>(vertices.size());
     result.scale = length;
 
-    std::int32_t first = 0;
-    while(!is_on_border(first) || m_target[first] >= 0)
-      ++first;
-    std::int32_t v = first;
-    do {
-      result.border.push_back(numbers[v]);
-      result.border_lengths.push_back((m_points.col(m_next[v]) - m_points.col(v)).norm() / length);
-      v = m_next[v];
-    } while(v != first);
+    std::vector<std::int32_t> first(m_loop_sizes.size(), -1);
+    for(std::size_t v = m_loop.size(); v-- > 0;)
+      if(m_loop[v] >= 0 && m_target[v] < 0)
+        first[m_loop[v]] = static_cast<std::int32_t>(v);
+    result.holes.resize(first.size() - 1);
+    for(std::size_t l = 0; l < first.size(); ++l) {
+      std::vector<std::int32_t>& loop = l == 0 ? result.border : result.holes[l - 1];
+      std::int32_t v = first[l];
+      do {
+        loop.push_back(numbers[v]);
+        if(l == 0)
+          result.border_lengths.push_back((m_points.col(m_next[v]) - m_points.col(v)).norm() / length);
+        v = m_next[v];
+      } while(v != first[l]);
+    }
     return result;
   }
 
@@ -210,6 +213,17 @@ private:
     std::int32_t w;
     bool operator<(const Collapse& other) const { return cost != other.cost ? cost < other.cost : v < other.v; }
   };
+
+  void add_loop(const std::vector<std::int32_t>& loop)
+  {
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      const std::int32_t v = loop[i], w = loop[(i + 1) % loop.size()];
+      m_next[v] = w;
+      m_previous[w] = v;
+      m_loop[v] = static_cast<std::int32_t>(m_loop_sizes.size());
+    }
+    m_loop_sizes.push_back(loop.size());
+  }
 
   static void erase(std::vector<std::int32_t>& list, std::int32_t value)
   {
@@ -298,11 +312,11 @@ private:
     return cost + 1e-3 * length * (area + length);
   }
 
-  // Whether the surface stays a disk, with three triangles at least around inner vertices.
+  // Whether the surface keeps its topology, with three triangles at least around inner vertices.
   bool is_possible(std::int32_t v, std::int32_t w)
   {
     const bool on_border = is_on_border(v);
-    if(on_border && ((w != m_next[v] && w != m_previous[v]) || m_border_size <= 4))
+    if(on_border && ((w != m_next[v] && w != m_previous[v]) || m_loop_sizes[m_loop[v]] <= 4))
       return false;
     if(m_stars[v].size() + m_stars[w].size() > LARGEST_VALENCE)
       return false;
@@ -332,8 +346,9 @@ private:
   std::vector<std::int32_t> m_next;     // along the border, -1 inside; kept for removed vertices
   std::vector<std::int32_t> m_previous;
   std::vector<std::int32_t> m_target;   // of removed vertices, -1 for the others
+  std::vector<std::int32_t> m_loop;     // 0 on the outer border, 1 + h on that of hole h, -1 inside
   std::int64_t m_number_of_triangles;
-  std::size_t m_border_size;
+  std::vector<std::size_t> m_loop_sizes;
   std::vector<std::vector<std::int32_t>> m_passes;
   std::vector<std::int32_t> m_marks;
   std::int32_t m_mark = 1;

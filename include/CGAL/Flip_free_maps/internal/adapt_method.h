@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_ADAPT_METHOD_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/angle_sums.h>
 #include <CGAL/Flip_free_maps/internal/energy_members.h>
 #include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
 
@@ -27,21 +28,25 @@ namespace Flip_free_maps {
 namespace internal {
 
 // The sum of |2 pi - angles| over the inner vertices of a disk: 0 for developable surfaces, 4 pi or more for most closed surfaces that were
-// cut open.
+// cut open. A hole adds the total curvature of whatever would close it (theorem of Gauss and Bonnet): 0 in a sheet that was flat, 2 pi at
+// the end of a cylinder.
 inline double total_curvature(const Simplicial_domain<2>& domain)
 {
-  std::vector<double> defects(domain.number_of_vertices, 2 * CGAL_PI);
-  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
-    const Matrix<2> edges = domain.rest_inverses[e].inverse();
-    const Vector<2> p[3] = {Vector<2>::Zero(), edges.col(0), edges.col(1)};
-    for(int k = 0; k < 3; ++k) {
-      const Vector<2> a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-      defects[domain.elements[e][k]] -= std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
-    }
-  }
+  std::vector<double> defects = angle_sums(domain);
+  for(double& defect : defects)
+    defect = 2 * CGAL_PI - defect;
   for(std::int32_t v : domain.border)
     defects[v] = 0;
   double sum = 0;
+  for(const auto& hole : domain.holes) {
+    // The angles of the filling are what is left of 2 pi at each vertex; they turn its border by pi minus that.
+    double curvature = 2 * CGAL_PI;
+    for(std::int32_t v : hole) {
+      curvature -= CGAL_PI - defects[v];
+      defects[v] = 0;
+    }
+    sum += std::abs(curvature);
+  }
   for(double defect : defects)
     sum += std::abs(defect);
   return sum;

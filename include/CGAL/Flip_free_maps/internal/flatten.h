@@ -17,6 +17,8 @@
 #include <CGAL/Flip_free_maps/internal/adapt_method.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <new>
 #include <string>
 
@@ -24,14 +26,32 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
+// How to minimise when the image may overlap itself: flips are all that matters.
+struct Free_minimization
+{
+  template <typename Traits>
+  void minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Positions<2>& x,
+                Summary& summary) const
+  {
+    Map_minimizer<2, Traits>(domain, traits, constraints).minimize(x, summary);
+  }
+
+  template <typename Point>
+  bool certify(const Simplicial_domain<2>&, const Positions<2>&, Summary&) const
+  {
+    return true;
+  }
+};
+
 // From a mesh in memory to a written, certified uv map. `make_start(domain, vertices, x, name, message)` computes the start, after
-// `constrain(graph, constraints, message)` has entered what is asked of the map. `traits` are adapted to the surface before. Fixed vertices keep their positions exactly:
-// `exact_position(v, p)` gives them in the user's units, or returns false where there are none.
+// `constrain(graph, constraints, message)` has entered what is asked of the map. `traits` are adapted to the surface before. Fixed vertices
+// keep their positions exactly: `exact_position(v, p)` gives them in the user's units, or returns false where there are none.
+// `minimization` is like `Free_minimization`.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart, typename Constrain,
-          typename ExactPosition>
+          typename ExactPosition, typename Minimization = Free_minimization>
 Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
                 const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start,
-                Constrain&& constrain, ExactPosition&& exact_position)
+                Constrain&& constrain, ExactPosition&& exact_position, const Minimization& minimization = Minimization())
 {
   Summary summary;
   const auto run = [&] {
@@ -65,8 +85,7 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
     if(summary.status != Status::success)
       return;
 
-    Map_minimizer<2, Traits> minimizer(domain, traits, constraints);
-    minimizer.minimize(x, summary);
+    minimization.minimize(domain, traits, constraints, x, summary);
     if(!summary.is_valid())
       return;
 
@@ -77,6 +96,8 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
       if(exact_position(graph.vertices()[v], p))
         x.col(v) = p;
     }
+    if(!minimization.template certify<typename boost::property_traits<VertexUVMap>::value_type>(domain, x, summary))
+      return;
     write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
   };
   try {

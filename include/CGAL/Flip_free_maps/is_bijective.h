@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_IS_BIJECTIVE_H
+#define CGAL_FLIP_FREE_MAPS_IS_BIJECTIVE_H
+
+#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/border_crossings.h>
+#include <CGAL/Flip_free_maps/internal/count_flips.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/functional/hash.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Whether a map of triangles is injective, borders included. A point of the plane is the image of as many points of the surface as the
+// borders wind around it, since all triangles are positive; so it suffices that the borders are disjoint and wind around nothing twice.
+inline bool is_bijective(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x, std::string* message = nullptr)
+{
+  const auto fail = [message](const char* text) {
+    if(message != nullptr)
+      *message = text;
+    return false;
+  };
+  if(!x.allFinite())
+    return fail("a coordinate of the map is NaN or infinite");
+  for(const auto& element : elements)
+    if(!is_positively_oriented<Exact_kernel>(element, x))
+      return fail("a triangle is flipped or collapsed");
+  Border_curves border;
+  if(!border.load(elements, static_cast<std::int32_t>(x.cols())))
+    return fail("the surface touches itself at a vertex or an edge");
+  bool is_crossed = false;
+  border.for_each_crossing(x, [&is_crossed](std::int32_t, std::int32_t) {
+    is_crossed = true;
+    return false;
+  });
+  if(is_crossed)
+    return fail("the image of the border crosses or touches itself");
+  if(!border.are_nested(x))
+    return fail("a part of the surface covers another one");
+  return true;
+}
+
+inline bool is_bijective(const Simplicial_domain<2>& domain, const Positions<2>& x, std::string* message = nullptr)
+{
+  return is_bijective(domain.elements, x, message);
+}
+
+// Numbers corners so that those with the same vertex and the same image have the same number: an edge whose two triangles agree on its image
+// is no seam.
+template <typename Vertex>
+class Corner_numbers
+{
+public:
+  std::int32_t operator()(const Vertex& v, double x, double y)
+  {
+    // Adding 0 makes both zeros the same.
+    const auto entry = m_numbers.emplace(Key(v, x + 0., y + 0.), static_cast<std::int32_t>(m_images.size()));
+    if(entry.second)
+      m_images.push_back({x, y});
+    return entry.first->second;
+  }
+
+  Positions<2> positions() const
+  {
+    Positions<2> x(2, m_images.size());
+    for(std::size_t i = 0; i < m_images.size(); ++i)
+      x.col(i) << m_images[i][0], m_images[i][1];
+    return x;
+  }
+
+private:
+  using Key = std::tuple<Vertex, double, double>;
+  struct Hash
+  {
+    std::size_t operator()(const Key& key) const
+    {
+      std::size_t seed = std::hash<Vertex>()(std::get<0>(key));
+      boost::hash_combine(seed, std::get<1>(key));
+      boost::hash_combine(seed, std::get<2>(key));
+      return seed;
+    }
+  };
+
+  std::unordered_map<Key, std::int32_t, Hash> m_numbers;
+  std::vector<std::array<double, 2>> m_images;
+};
+
+// Reads the corners of all triangles, whose image `image(h)` gives for the halfedge to the corner, and decides.
+template <typename TriangleMesh, typename Image>
+bool is_bijective_on_corners(const TriangleMesh& mesh, Image&& image, std::string* message)
+{
+  Corner_numbers<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> numbers;
+  std::vector<std::array<std::int32_t, 3>> elements;
+  for(const auto face : faces(mesh)) {
+    std::array<std::int32_t, 3> element;
+    auto h = halfedge(face, mesh);
+    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+      const auto& p = image(h);
+      element[k] = numbers(target(h, mesh), CGAL::to_double(p[0]), CGAL::to_double(p[1]));
+    }
+    elements.push_back(element);
+  }
+  return is_bijective(elements, numbers.positions(), message);
+}
+
+} // namespace internal
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Whether a map of a whole triangle mesh into the plane takes different points to different points, by exact predicates: no triangle is
+/// flipped or collapsed, and no part of the image covers another part. The mesh may have holes and several components.
+///
+/// Touching counts as covering: where borders share a point in the plane that they do not share on the surface, the map is not
+/// bijective, also if no area is covered twice.
+///
+/// \tparam TriangleMesh must be a model of `FaceListGraph`, of triangles, whose vertex descriptors are `Hashable`; also a
+///   `CGAL::Seam_mesh`, whose seams are borders
+/// \tparam VertexUVMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values
+///
+/// \param mesh a triangle mesh
+/// \param uv_map the map
+/// \param message if not null, receives a sentence when the answer is `false`
+///
+/// The number of preimages of a point of the plane is the number of times that the borders wind around it once all triangles are positive.
+/// Therefore borders are all that is tested beside orientations: no two of their edges cross or touch, and each curve encloses what it should.
+///
+/// Complexity: \f$ O(n \log n + b \log^2 b + k + c^2) \f$ for \f$ n \f$ triangles, \f$ b \f$ border edges with \f$ k \f$ pairs of overlapping
+/// bounding boxes, and \f$ c \f$ borders.
+template <typename TriangleMesh, typename VertexUVMap>
+bool is_bijective(const TriangleMesh& mesh, VertexUVMap uv_map, std::string* message = nullptr)
+{
+  return internal::is_bijective_on_corners(mesh, [&](auto h) { return get(uv_map, target(h, mesh)); }, message);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for a map that is keyed by the corners of triangles, as `unwrap()` writes it. An edge is a seam where its two triangles give
+/// different images to it.
+///
+/// \tparam HalfedgeUVMap must be a model of `ReadablePropertyMap` with halfedge descriptors as keys and planar points as values: the
+///   image of `target(h, mesh)` in the triangle `face(h, mesh)`. Values of border halfedges are not read.
+template <typename TriangleMesh, typename HalfedgeUVMap>
+bool is_atlas_bijective(const TriangleMesh& mesh, HalfedgeUVMap uv_map, std::string* message = nullptr)
+{
+  return internal::is_bijective_on_corners(mesh, [&](auto h) { return get(uv_map, h); }, message);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for texture coordinates of a file.
+inline bool is_bijective(const Textured_mesh& mesh, std::string* message = nullptr)
+{
+  internal::Corner_numbers<int> numbers;
+  std::vector<std::array<std::int32_t, 3>> elements;
+  for(std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::array<std::int32_t, 3> element;
+    for(int k = 0; k < 3; ++k) {
+      const auto& p = mesh.texture[mesh.texture_triangles[i][k]];
+      element[k] = numbers(mesh.triangles[i][k], p[0], p[1]);
+    }
+    elements.push_back(element);
+  }
+  return internal::is_bijective(elements, numbers.positions(), message);
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_IS_BIJECTIVE_H
