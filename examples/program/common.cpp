@@ -22,8 +22,11 @@
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -37,6 +40,7 @@
 #include <iostream>
 #include <map>
 #include <new>
+#include <sstream>
 #include <unistd.h>
 #include <utility>
 
@@ -52,7 +56,7 @@ int exit_code(Status status)
 std::string exit_codes_text()
 {
   std::string text = "Exit codes: 0 a valid map was written (converged, or ended by a limit); 2 wrong command line";
-  for(int s = static_cast<int>(Status::empty_mesh); s <= static_cast<int>(Status::flips_remain); ++s)
+  for(int s = static_cast<int>(Status::empty_mesh); s <= static_cast<int>(Status::not_bijective); ++s)
     text += "; " + std::to_string(exit_code(static_cast<Status>(s))) + " " + FFM::status_name(static_cast<Status>(s));
   return text + ".";
 }
@@ -73,6 +77,11 @@ void write_json(const std::string& path, const nlohmann::json& json)
 }
 
 namespace {
+
+bool is_finite(const Kernel::Point_3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
 
 std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygons)
 {
@@ -95,30 +104,37 @@ std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygo
 
 } // namespace
 
-void read_triangles(const std::string& path, Triangles& triangles)
+namespace {
+
+void read_polygons(const std::string& path, Triangles& triangles)
+{
+  if(!std::ifstream(path))
+    throw Failure{Status::file_error, "cannot open " + path};
+  if(!CGAL::IO::read_polygon_soup(path, triangles.points, triangles.polygons))
+    throw Failure{Status::file_error, path + " is not an OFF, OBJ, PLY or STL file, or is truncated or malformed: a coordinate may not be "
+                                             "a finite number, or a face name a vertex that does not exist"};
+  if(triangles.polygons.empty())
+    throw Failure{Status::empty_mesh, "the file holds no faces"};
+  for(std::size_t i = 0; i < triangles.polygons.size(); ++i)
+    for(std::size_t v : triangles.polygons[i])
+      if(v >= triangles.points.size())
+        throw Failure{Status::file_error, "face number " + std::to_string(i) + " names a vertex that does not exist"};
+}
+
+void make_mesh(const std::string& path, Triangles& triangles)
 {
   auto& points = triangles.points;
   auto& polygons = triangles.polygons;
-  if(!std::ifstream(path))
-    throw Failure{Status::file_error, "cannot open " + path};
-  if(!CGAL::IO::read_polygon_soup(path, points, polygons))
-    throw Failure{Status::file_error, path + " is not an OFF, OBJ, PLY or STL file, or is truncated or malformed: a coordinate may not be "
-                                             "a finite number, or a face name a vertex that does not exist"};
-  if(polygons.empty())
-    throw Failure{Status::empty_mesh, "the file holds no faces"};
   for(std::size_t i = 0; i < polygons.size(); ++i) {
     const auto& polygon = polygons[i];
     const std::string face = "face number " + std::to_string(i);
-    for(std::size_t v : polygon)
-      if(v >= points.size())
-        throw Failure{Status::file_error, face + " names a vertex that does not exist"};
     if(polygon.size() != 3)
       throw Failure{Status::not_triangular, face + " has " + std::to_string(polygon.size()) + " corners; triangulate the mesh first"};
     if(polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0])
       throw Failure{Status::non_manifold, face + " names a vertex twice"};
   }
   for(const auto& p : points)
-    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+    if(!is_finite(p))
       throw Failure{Status::non_finite_input, "a coordinate of the mesh is NaN or infinite"};
   // STL has no shared vertices.
   if(path.size() > 4 && (path.substr(path.size() - 4) == ".stl" || path.substr(path.size() - 4) == ".STL"))
@@ -126,11 +142,81 @@ void read_triangles(const std::string& path, Triangles& triangles)
   if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
     throw Failure{Status::non_manifold, why_not_manifold(polygons)};
   PMP::polygon_soup_to_polygon_mesh(points, polygons, triangles.mesh);
+}
 
+// Leaves a mesh of triangles, or nothing.
+std::string repair_polygons(Triangles& triangles)
+{
+  auto& points = triangles.points;
+  auto& polygons = triangles.polygons;
+  const std::size_t points_before = points.size(), polygons_before = polygons.size();
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
+                                [&](const std::vector<std::size_t>& polygon) {
+                                  return !std::all_of(polygon.begin(), polygon.end(),
+                                                      [&](std::size_t v) { return is_finite(points[v]); });
+                                }),
+                 polygons.end());
+  const std::size_t finite_polygons = polygons.size();
+  PMP::remove_isolated_points_in_polygon_soup(points, polygons);
+  PMP::repair_polygon_soup(points, polygons);
+  const std::size_t points_merged = points.size(), polygons_merged = polygons.size();
+  std::vector<Kernel::Point_3> first_corners;
+  for(const auto& polygon : polygons)
+    first_corners.push_back(points[polygon[0]]);
+  PMP::orient_polygon_soup(points, polygons);
+  const std::size_t points_split = points.size();
+  std::size_t reversed = 0;
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+    reversed += points[polygons[i][0]] != first_corners[i];
+  Mesh mesh;
+  if(!polygons.empty())
+    PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  PMP::triangulate_faces(mesh);
+  const std::size_t faces_triangulated = mesh.number_of_faces();
+  PMP::remove_degenerate_faces(mesh);
+  mesh.collect_garbage();
+  points.clear();
+  polygons.clear();
+  for(const Vertex v : mesh.vertices())
+    points.push_back(mesh.point(v));
+  for(const auto face : mesh.faces()) {
+    polygons.emplace_back();
+    for(const Vertex v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+      polygons.back().push_back(v);
+  }
+  const auto step = [](std::size_t before, std::size_t after, const std::string& what) {
+    return before == after ? "" : ", " + what + " (" + std::to_string(before) + " -> " + std::to_string(after) + ")";
+  };
+  const std::string text = step(polygons_before, finite_polygons, "faces with coordinates that are not finite were removed") +
+                           step(points_before, points_merged, "equal and unused points were removed") +
+                           step(finite_polygons, polygons_merged, "duplicated and collapsed faces were removed") +
+                           (reversed == 0 ? "" : ", " + std::to_string(reversed) + " faces were turned over") +
+                           step(points_merged, points_split, "points of several sheets were doubled") +
+                           step(polygons_merged, faces_triangulated, "polygons were triangulated") +
+                           step(faces_triangulated, polygons.size(), "faces without area were removed");
+  return text.empty() ? "nothing had to be repaired" : "repaired: " + text.substr(2);
+}
+
+} // namespace
+
+void read_triangles(const std::string& path, Triangles& triangles)
+{
+  read_polygons(path, triangles);
+  make_mesh(path, triangles);
   auto components = triangles.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
   const std::size_t number = PMP::connected_components(triangles.mesh, components);
   if(number != 1)
     throw Failure{Status::several_components, "the mesh has " + std::to_string(number) + " components"};
+}
+
+void read_surface(const std::string& path, bool repair, Triangles& triangles, std::string& repairs)
+{
+  read_polygons(path, triangles);
+  if(repair)
+    repairs = repair_polygons(triangles);
+  if(triangles.polygons.empty())
+    throw Failure{Status::empty_mesh, "nothing is left after the repair"};
+  make_mesh(path, triangles);
 }
 
 namespace {
@@ -200,9 +286,9 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
   command
     .add_option("--method", arguments.method,
                 "the methods of the literature by their names; a p- in front: with progressive references. The options below change parts "
-                "of the method")
+                "of the method. splitting may begin with flips, and drops handles at their targets")
     ->check(CLI::IsMember({"default", "pp", "cm", "slim", "akvf", "p-cm", "p-slim", "p-akvf", "aqp", "sobolev", "newton",
-                           "projected-newton"}))
+                           "projected-newton", "splitting"}))
     ->capture_default_str();
   command.add_option("--energy", arguments.energy, "what is minimised")
     ->check(CLI::IsMember(names(energies(0))))
@@ -222,6 +308,25 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
   command.add_option("--acceleration", arguments.acceleration, "what is made of successive directions")
     ->check(CLI::IsMember({"default", "none", "nesterov", "lbfgs"}))
     ->capture_default_str();
+  std::vector<std::string> solvers{"default", "eigen"};
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+  solvers.push_back("cholmod");
+#endif
+  solvers.push_back("cg");
+  command
+    .add_option("--linear-solver", arguments.linear_solver,
+                "by default direct while the factor fits into memory, conjugate gradients (cg) beyond")
+    ->check(CLI::IsMember(solvers))
+    ->capture_default_str();
+  command.add_option("--memory-budget", arguments.memory_budget, "GiB that the factor may take; 0: half of the memory")
+    ->check(CLI::NonNegativeNumber);
+  command.add_option("--trace", arguments.trace, "write a CSV row per iteration");
+  command.add_flag("--polish", arguments.polish, "method splitting: its map is improved by the default method");
+  add_limit_options(command, arguments);
+}
+
+void add_limit_options(CLI::App& command, Method_arguments& arguments)
+{
   command
     .add_option("--criterion", arguments.criterion,
                 "stopping rule that --tolerance is for: characteristic norm of the gradient (default tolerance 1e-5), norm of the "
@@ -231,20 +336,21 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
   command.add_option("--tolerance", arguments.tolerance, "see --criterion")->check(CLI::NonNegativeNumber);
   command.add_option("--max-iterations", arguments.max_iterations)->check(CLI::NonNegativeNumber)->capture_default_str();
   command.add_option("--time-limit", arguments.time_limit, "seconds; the map found by then is valid")->check(CLI::PositiveNumber);
-  std::vector<std::string> solvers{"default", "eigen"};
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
-  solvers.push_back("cholmod");
-#endif
-  command.add_option("--linear-solver", arguments.linear_solver)->check(CLI::IsMember(solvers))->capture_default_str();
   command.add_option("--threads", arguments.threads, "at most this many; results do not depend on it")->check(CLI::PositiveNumber);
   command.add_option("--json", arguments.json, "write the summary");
-  command.add_option("--trace", arguments.trace, "write a CSV row per iteration");
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
 }
 
 std::string why_not_available(const Method_arguments& arguments, int dimension)
 {
   FFM::Any_map_traits traits = make_traits(arguments);
+  if(arguments.is_splitting()) {
+    if(arguments.energy != "symmetric-gradient" && arguments.energy != "symmetric-dirichlet")
+      return "the splitting scheme is for the energies symmetric-gradient and symmetric-dirichlet";
+    if(arguments.preconditioner != "default" || arguments.reference != "default" || arguments.acceleration != "default" ||
+       arguments.criterion != "auto")
+      return "the splitting scheme has no preconditioner, reference, acceleration nor criterion to choose";
+  }
   const std::string name = traits.preconditioner.preconditioner_name();
   if(traits.preconditioner.is_planar() && dimension != 2)
     return name + " is a method of the plane";
@@ -285,6 +391,12 @@ FFM::Any_map_traits make_traits(const Method_arguments& arguments)
   }
   if(arguments.linear_solver == "eigen")
     traits.use_linear_solver<FFM::Eigen_simplicial_solver>();
+  else if(arguments.linear_solver == "cg")
+    traits.use_linear_solver<FFM::Conjugate_gradient_solver<>>();
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+  else if(arguments.linear_solver == "cholmod")
+    traits.use_linear_solver<FFM::Cholmod_solver>();
+#endif
   return traits;
 }
 
@@ -318,7 +430,7 @@ void Reporter::finish()
     throw Failure{Status::file_error, "cannot write the trace"};
 }
 
-void set_options(const Method_arguments& arguments, const std::shared_ptr<Reporter>& reporter, FFM::Map_options& options)
+void set_limits(const Method_arguments& arguments, FFM::Map_options& options)
 {
   options.max_iterations = arguments.max_iterations;
   if(arguments.time_limit > 0)
@@ -332,41 +444,63 @@ void set_options(const Method_arguments& arguments, const std::shared_ptr<Report
     options.gradient_tolerance = arguments.tolerance >= 0 ? arguments.tolerance : 1e-3;
   else
     options.characteristic_gradient_tolerance = arguments.tolerance >= 0 ? arguments.tolerance : default_tolerance;
+}
+
+void set_options(const Method_arguments& arguments, const std::shared_ptr<Reporter>& reporter, FFM::Map_options& options)
+{
+  set_limits(arguments, options);
+  options.memory_budget = arguments.memory_budget * 1024 * 1024 * 1024;
   options.observer = [reporter](const FFM::Iteration_report& report) { return (*reporter)(report); };
 }
 
-int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body)
+void run_guarded(const Method_arguments& arguments, const std::function<void()>& body,
+                 const std::function<void(Status, const std::string&)>& fail)
 {
-  FFM::Summary summary;
   try {
 #ifdef CGAL_LINKED_WITH_TBB
     std::unique_ptr<tbb::global_control> control;
     if(arguments.threads > 0)
       control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, arguments.threads);
+#else
+    static_cast<void>(arguments);
 #endif
-    body(summary);
+    body();
   } catch(const Failure& failure) {
-    summary.status = failure.status;
-    summary.message = failure.message;
+    fail(failure.status, failure.message);
   } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
+    fail(Status::out_of_memory, "memory was exhausted");
   } catch(const std::exception& exception) {
-    summary.status = Status::file_error;
-    summary.message = exception.what();
+    fail(Status::file_error, exception.what());
   }
+}
 
+int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json, const std::string& text)
+{
   try {
-    write_json(arguments.json, summary);
+    write_json(arguments.json, json);
   } catch(const Failure& failure) {
     std::cerr << "flip_free_maps: " << failure.message << '\n';
     return exit_code(failure.status);
   }
-  if(!summary.is_valid())
-    std::cerr << "flip_free_maps: " << FFM::status_name(summary.status) << ": " << summary.message << '\n';
+  if(!FFM::is_valid_map(status))
+    std::cerr << "flip_free_maps: " << FFM::status_name(status) << ": " << message << '\n';
   else if(!arguments.quiet)
-    std::cout << summary;
-  return exit_code(summary.status);
+    std::cout << text;
+  return exit_code(status);
+}
+
+int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body)
+{
+  FFM::Summary summary;
+  run_guarded(
+    arguments, [&] { body(summary); },
+    [&](Status status, const std::string& message) {
+      summary.status = status;
+      summary.message = message;
+    });
+  std::ostringstream text;
+  text << summary;
+  return report(arguments, summary.status, summary.message, summary, text.str());
 }
 
 void add_picture_options(CLI::App& command, Picture_arguments& arguments)
@@ -381,10 +515,16 @@ void add_picture_options(CLI::App& command, Picture_arguments& arguments)
 void write_pictures(const Picture_arguments& arguments, const std::string& input, const FFM::Textured_mesh& layout,
                     const std::vector<double>& distortion, const FFM::Summary& summary)
 {
-  FFM::Layout_picture_options options;
   char title[200];
   std::snprintf(title, sizeof title, "%s   %s %.6f", input.substr(input.rfind('/') + 1).c_str(),
                 summary.energy_name == FFM::Symmetric_dirichlet::name() ? "energy" : summary.energy_name.c_str(), summary.energy);
+  write_pictures(arguments, title, layout, distortion);
+}
+
+void write_pictures(const Picture_arguments& arguments, const std::string& title, const FFM::Textured_mesh& layout,
+                    const std::vector<double>& distortion)
+{
+  FFM::Layout_picture_options options;
   options.title = title;
   options.width = arguments.width;
   options.distortion_label = "symmetric Dirichlet energy";

@@ -58,6 +58,10 @@ struct Triangles
 // Reads and checks a file, so that every fault has a name of its own before the mesh is built.
 void read_triangles(const std::string& path, Triangles& triangles);
 
+// The same for any number of components. With `repair`, first removes what makes a mesh unfit: duplicated points and faces, faces without
+// area, sheets that meet at a vertex or an edge, different orientations, polygons of more than three corners; `repairs` says what it did.
+void read_surface(const std::string& path, bool repair, Triangles& triangles, std::string& repairs);
+
 // The options of all sub-commands that minimise an energy.
 struct Method_arguments
 {
@@ -66,9 +70,11 @@ struct Method_arguments
   double tolerance = -1;
   int max_iterations = FFM::Map_options().max_iterations;
   double time_limit = 0;
-  double energy_parameter = 0;
+  double energy_parameter = 0, memory_budget = 0;
   int threads = 0;
-  bool quiet = false;
+  bool quiet = false, polish = false;
+
+  bool is_splitting() const { return method == "splitting"; }
 
   // Whether nothing but the default method is asked for.
   bool is_default() const
@@ -79,6 +85,9 @@ struct Method_arguments
 };
 
 void add_method_options(CLI::App& command, Method_arguments& arguments);
+
+// Those of them that tell when to stop and what to report.
+void add_limit_options(CLI::App& command, Method_arguments& arguments);
 
 // Why the options contradict each other; empty if they do not.
 std::string why_not_available(const Method_arguments& arguments, int dimension);
@@ -98,8 +107,18 @@ private:
   std::ofstream m_trace;
 };
 
-// Sets limits, tolerances and an observer that calls `*reporter`.
+// Sets limits and tolerances.
+void set_limits(const Method_arguments& arguments, FFM::Map_options& options);
+
+// The same and an observer that calls `*reporter`.
 void set_options(const Method_arguments& arguments, const std::shared_ptr<Reporter>& reporter, FFM::Map_options& options);
+
+// Runs `body` on the asked number of threads and hands its failures to `fail`.
+void run_guarded(const Method_arguments& arguments, const std::function<void()>& body,
+                 const std::function<void(Status, const std::string&)>& fail);
+
+// Writes a report, prints it, and returns the exit code.
+int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json, const std::string& text);
 
 // Runs `body` on the asked number of threads, turns failures into a summary, writes it, prints it, and returns the exit code.
 int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body);
@@ -115,6 +134,10 @@ void add_picture_options(CLI::App& command, Picture_arguments& arguments);
 
 void write_pictures(const Picture_arguments& arguments, const std::string& input, const FFM::Textured_mesh& layout,
                     const std::vector<double>& distortion, const FFM::Summary& summary);
+
+// The same with a title.
+void write_pictures(const Picture_arguments& arguments, const std::string& title, const FFM::Textured_mesh& layout,
+                    const std::vector<double>& distortion);
 
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 
@@ -135,8 +158,10 @@ public:
 };
 
 std::unique_ptr<Command> parameterize_command(CLI::App& app);
+std::unique_ptr<Command> unwrap_command(CLI::App& app);
 std::unique_ptr<Command> deform_command(CLI::App& app);
 std::unique_ptr<Command> repair_command(CLI::App& app);
+std::unique_ptr<Command> map_volume_command(CLI::App& app);
 std::unique_ptr<Command> measure_command(CLI::App& app);
 
 } // namespace program

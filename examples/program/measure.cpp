@@ -8,6 +8,7 @@
 #include "common.h"
 
 #include <CGAL/Flip_free_maps/IO/OBJ.h>
+#include <CGAL/Flip_free_maps/is_bijective.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
 #include <iostream>
@@ -35,9 +36,12 @@ public:
       report.status = Status::file_error;
     else
       report = FFM::measure_distortion(mesh);
+    std::string reason;
+    const bool is_bijective = report.status == Status::success && FFM::is_bijective(mesh, &reason);
     nlohmann::json json = {{"status", FFM::status_name(report.status)}, {"message", report.message}, {"faces", report.elements},
-                           {"flips", report.flips}, {"energy", report.energy}, {"energy_of_similarity", report.energy_of_similarity},
-                           {"max_energy", report.max_energy}, {"mean_angle_distortion", report.mean_angle_distortion},
+                           {"flips", report.flips}, {"bijective", is_bijective}, {"energy", report.energy},
+                           {"energy_of_similarity", report.energy_of_similarity}, {"max_energy", report.max_energy},
+                           {"mean_angle_distortion", report.mean_angle_distortion},
                            {"mean_area_distortion", report.mean_area_distortion}, {"min_singular_value", report.min_singular_value},
                            {"max_singular_value", report.max_singular_value}, {"rest_area", report.rest_area},
                            {"image_area", report.image_area}};
@@ -51,7 +55,8 @@ public:
       std::cerr << "flip_free_maps: " << FFM::status_name(report.status) << ": " << report.message << '\n';
       return exit_code(report.status);
     }
-    std::cout << report.elements << " faces, " << report.flips << " flipped\n"
+    std::cout << report.elements << " faces, " << report.flips << " flipped; "
+              << (is_bijective ? "the map is bijective" : "the map is not bijective: " + reason) << '\n'
               << "symmetric Dirichlet energy " << report.energy << " (" << report.energy_of_similarity << " after the best scaling), largest "
               << report.max_energy << '\n'
               << "mean angle distortion " << report.mean_angle_distortion << ", mean area distortion " << report.mean_area_distortion << '\n'

@@ -5,16 +5,17 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#include "common.h"
+#include "splitting.h"
 
+#include <CGAL/Flip_free_maps/bijective.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 
-#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <cmath>
-#include <iterator>
 #include <sstream>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace program {
@@ -59,7 +60,7 @@ class Parameterize
 public:
   explicit Parameterize(CLI::App& application)
   {
-    app = application.add_subcommand("parameterize", "Flatten a surface patch, a topological disk, into the plane");
+    app = application.add_subcommand("parameterize", "Flatten a surface patch, a disk that may have holes, into the plane");
     app->add_option("input", m_input, "mesh: OFF, OBJ, PLY or STL")->required();
     app->add_option("-o,--output", m_output, "OBJ with texture coordinates, in the units of the surface");
     app->add_flag("--unit-square", m_unit_square, "scale the texture coordinates into the unit square");
@@ -77,15 +78,18 @@ public:
       ->capture_default_str();
     app->add_flag("--flaps", m_place_flaps, "begin with border vertices of a single triangle at their optimum");
     app->add_option("--fixed", m_fixed, "file with the number of a vertex per line, from 0: these keep their places in the start");
-    app->add_flag("--fix-border", m_fix_border, "all border vertices keep their places in the start");
+    app->add_flag("--fix-border", m_fix_border, "the vertices of all borders keep their places in the start");
     app->add_option("--soft", m_soft,
                     "file with lines 'vertex u v weight': vertices that are pulled to places, in the units of the surface");
+    app->add_flag("--bijective", m_bijective, "the image must not overlap itself");
     add_picture_options(*app, m_pictures);
   }
 
   int run() override
   {
-    const std::string reason = why_not_available(m_method, 2);
+    std::string reason = why_not_available(m_method, 2);
+    if(m_bijective && m_method.is_splitting())
+      reason = "the splitting scheme makes no bijective maps";
     if(!reason.empty()) {
       std::cerr << "flip_free_maps: " << reason << '\n';
       return 2;
@@ -99,21 +103,25 @@ private:
     Triangles triangles;
     read_triangles(m_input, triangles);
     Mesh& mesh = triangles.mesh;
-    std::vector<Mesh::Halfedge_index> borders;
-    PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
-    if(borders.empty())
+    const Mesh::Halfedge_index border = PMP::longest_border(mesh).first;
+    if(border == Mesh::null_halfedge())
       throw Failure{Status::no_border, "the surface is closed; it must be cut open before it can be flattened"};
     UV_map uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
     const auto reporter = std::make_shared<Reporter>(m_method);
     if(m_method.is_default()) {
       FFM::Flip_free_map_traits<> traits;
       set_options(m_method, reporter, traits.options);
-      summary = flatten(triangles, borders.front(), uv, traits);
+      summary = flatten(triangles, border, uv, traits);
     } else {
       FFM::Any_map_traits traits = make_traits(m_method);
       set_options(m_method, reporter, traits.options);
-      summary = flatten(triangles, borders.front(), uv, traits);
-      traits.name_choices(summary);
+      if(m_method.is_splitting()) {
+        FFM::Splitting_map_traits<FFM::Any_map_traits> splitting = splitting_traits(m_method, traits);
+        summary = flatten(triangles, border, uv, splitting);
+      } else {
+        summary = flatten(triangles, border, uv, traits);
+        traits.name_choices(summary);
+      }
     }
     reporter->finish();
     if(!summary.is_valid())
@@ -155,6 +163,17 @@ private:
       m_fix_border, FFM::parameters::soft_positions(
                       soft, CGAL::parameters::vertex_is_constrained_map(
                               boost::make_iterator_property_map(is_fixed.begin(), get(boost::vertex_index, mesh)))));
+    if constexpr(std::is_same<Traits, FFM::Splitting_map_traits<FFM::Any_map_traits>>::value)
+      return parameterize(triangles, border, uv, traits, constraints);
+    else
+      return parameterize(triangles, border, uv, traits, FFM::parameters::bijective(m_bijective, constraints));
+  }
+
+  template <typename Traits, typename Parameters>
+  FFM::Summary parameterize(const Triangles& triangles, Mesh::Halfedge_index border, UV_map uv, const Traits& traits,
+                            const Parameters& constraints) const
+  {
+    const Mesh& mesh = triangles.mesh;
     if(m_start == "auto" || m_start == "tutte" || m_start == "multilevel")
       return FFM::parameterize(mesh, border, uv, traits, constraints);
     const std::vector<Kernel::Point_2> given = vertex_texture(m_start, triangles);
@@ -166,7 +185,7 @@ private:
   Method_arguments m_method;
   Picture_arguments m_pictures;
   std::string m_input, m_output, m_start = "auto", m_border = "circle", m_weights = "uniform", m_fixed, m_soft;
-  bool m_place_flaps = false, m_unit_square = false, m_fix_border = false;
+  bool m_place_flaps = false, m_unit_square = false, m_fix_border = false, m_bijective = false;
 };
 
 } // namespace

@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -194,10 +195,13 @@ Distortion_report measure_distortion(const TriangleMesh& mesh, VertexUVMap uv_ma
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Measures a map that is keyed by the corners of the triangles, as files hold it.
-inline Distortion_report measure_distortion(const Textured_mesh& mesh)
+/// Measures a map that is keyed by the corners of the triangles, as files hold it. `face_energies`, if not null, receives the symmetric
+/// Dirichlet energy of each triangle, +infinity for those that are collapsed or flipped.
+inline Distortion_report measure_distortion(const Textured_mesh& mesh, std::vector<double>* face_energies = nullptr)
 {
   internal::Distortion_measure measure;
+  if(face_energies != nullptr)
+    face_energies->clear();
   for(std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     internal::Matrix<3> points;
     Eigen::Matrix<double, 2, 3> image;
@@ -205,8 +209,11 @@ inline Distortion_report measure_distortion(const Textured_mesh& mesh)
       points.col(k) = Eigen::Map<const Eigen::Vector3d>(mesh.points[mesh.triangles[i][k]].data());
       image.col(k) = Eigen::Map<const Eigen::Vector2d>(mesh.texture[mesh.texture_triangles[i][k]].data());
     }
-    if(std::isnan(measure.add(points, image)))
+    const double energy = measure.add(points, image);
+    if(std::isnan(energy))
       break;
+    if(face_energies != nullptr)
+      face_energies->push_back(energy);
   }
   return measure.report();
 }

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_PACK_CHARTS_H
+#define CGAL_FLIP_FREE_MAPS_PACK_CHARTS_H
+
+#include <CGAL/Flip_free_maps/Packing_options.h>
+#include <CGAL/Flip_free_maps/internal/chart_packing.h>
+#include <CGAL/Flip_free_maps/is_bijective.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Splits triangles into charts, the parts that are connected by vertices.
+inline std::vector<Flat_chart> separate_charts(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x)
+{
+  std::vector<std::int32_t> parent(x.cols());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](std::int32_t v) {
+    while(parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for(const auto& element : elements)
+    for(int k = 0; k < 2; ++k)
+      parent[root(element[k + 1])] = root(element[k]);
+  std::vector<Flat_chart> charts;
+  std::vector<std::int32_t> chart_of_root(x.cols(), -1), number(x.cols(), -1);
+  std::vector<std::vector<std::int32_t>> vertices;
+  for(std::size_t e = 0; e < elements.size(); ++e) {
+    std::int32_t& c = chart_of_root[root(elements[e][0])];
+    if(c < 0) {
+      c = static_cast<std::int32_t>(charts.size());
+      charts.emplace_back();
+      vertices.emplace_back();
+    }
+    std::array<std::int32_t, 3> element;
+    for(int k = 0; k < 3; ++k) {
+      std::int32_t& v = number[elements[e][k]];
+      if(v < 0) {
+        v = static_cast<std::int32_t>(vertices[c].size());
+        vertices[c].push_back(elements[e][k]);
+      }
+      element[k] = v;
+    }
+    charts[c].elements.push_back(element);
+    charts[c].faces.push_back(static_cast<std::int32_t>(e));
+  }
+  for(std::size_t c = 0; c < charts.size(); ++c) {
+    charts[c].x.resize(2, vertices[c].size());
+    for(std::size_t v = 0; v < vertices[c].size(); ++v)
+      charts[c].x.col(v) = x.col(vertices[c][v]);
+  }
+  return charts;
+}
+
+} // namespace internal
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Moves the charts of an atlas into the unit square, apart from each other. Each chart is turned to where its bounding box is smallest,
+/// all are scaled by the same factor (so that a length on the surface has the same length on all charts as far as it had before), and the
+/// bounding boxes are packed below a skyline. An edge is a seam where its two triangles give different images to it; charts are the parts of the
+/// surface between seams.
+///
+/// \tparam TriangleMesh must be a model of `FaceListGraph`, of triangles, whose vertex descriptors are `Hashable`
+/// \tparam HalfedgeUVMap must be a model of `ReadWritePropertyMap` with halfedge descriptors as keys and planar points as values: the
+///   image of `target(h, mesh)` in the triangle `face(h, mesh)`. Values of border halfedges are neither read nor written.
+///
+/// \param mesh a triangle mesh
+/// \param uv_map a map without flipped triangles. It is written once, at the end, if all went well. Triangles stay unflipped, and charts that do
+///   not overlap themselves stay so, by exact predicates, also after rounding.
+/// \param options margin and rotation
+///
+/// \returns `success`, or `empty_mesh`, `invalid_option` (also when the margin leaves no room for so many charts), `non_finite_input`,
+///   `start_not_flip_free`, or `result_not_representable` when triangles are too small within the unit square for the map's number type
+///
+/// Complexity: \f$ O(n \log n) \f$ for \f$ n \f$ triangles, and \f$ O(c\,s) \f$ for each of about 50 packings that are tried, with
+/// \f$ c \f$ charts and skylines of \f$ s \f$ steps.
+template <typename TriangleMesh, typename HalfedgeUVMap>
+Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Packing_options& options = Packing_options())
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  Packing_summary summary;
+  internal::Corner_numbers<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> numbers;
+  std::vector<std::array<std::int32_t, 3>> elements;
+  std::vector<std::array<Halfedge, 3>> corners;
+  for(const auto face : faces(mesh)) {
+    std::array<std::int32_t, 3> element;
+    std::array<Halfedge, 3> corner;
+    auto h = halfedge(face, mesh);
+    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+      const auto& p = get(uv_map, h);
+      element[k] = numbers(target(h, mesh), CGAL::to_double(p[0]), CGAL::to_double(p[1]));
+      corner[k] = h;
+    }
+    elements.push_back(element);
+    corners.push_back(corner);
+  }
+  if(elements.empty()) {
+    summary.status = Status::empty_mesh;
+    summary.message = "the mesh has no faces";
+    return summary;
+  }
+  std::vector<internal::Flat_chart> charts = internal::separate_charts(elements, numbers.positions());
+  internal::pack_flat_charts<typename boost::property_traits<HalfedgeUVMap>::value_type>(charts, options, summary);
+  if(!summary.is_valid())
+    return summary;
+  internal::write_charts(charts, uv_map, [&](std::int32_t face, int k) { return corners[face][k]; });
+  return summary;
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_PACK_CHARTS_H

@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_UNWRAP_H
+#define CGAL_FLIP_FREE_MAPS_UNWRAP_H
+
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/Unwrap_options.h>
+#include <CGAL/Flip_free_maps/Unwrap_summary.h>
+#include <CGAL/Flip_free_maps/internal/chart_atlas.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+namespace internal {
+
+enum Face_chart_map_tag { face_chart_map_tag };
+enum Edge_is_seam_map_tag { edge_is_seam_map_tag };
+
+} // namespace internal
+
+namespace parameters {
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Receives the number of each face's chart: a model of `WritablePropertyMap` with face descriptors as keys and integers as values.
+template <typename FaceChartMap, typename Base = CGAL::parameters::Default_named_parameters>
+auto face_chart_map(const FaceChartMap& map, const Base& base = Base())
+{
+  return CGAL::Named_function_parameters<FaceChartMap, internal::Face_chart_map_tag, Base>(map, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Receives whether an edge is a seam: a model of `WritablePropertyMap` with edge descriptors as keys and `bool` as values.
+template <typename EdgeIsSeamMap, typename Base = CGAL::parameters::Default_named_parameters>
+auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
+{
+  return CGAL::Named_function_parameters<EdgeIsSeamMap, internal::Edge_is_seam_map_tag, Base>(map, base);
+}
+
+} // namespace parameters
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Makes a texture atlas of any triangle mesh, closed or with holes, of any genus and any number of components: cuts it open, flattens the
+/// pieces with as little distortion as possible, and packs them into the unit square. No triangle is flipped, and no two triangles of the atlas
+/// overlap, by exact predicates on the numbers that the caller receives.
+///
+/// \tparam TriangleMesh must be a model of `FaceListGraph` whose vertex descriptors are `Hashable`
+/// \tparam HalfedgeUVMap must be a model of `WritablePropertyMap` with halfedge descriptors as keys and planar points as values
+/// \tparam Traits must be a model of `MapTraits`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a triangle mesh; it is not changed
+/// \param uv_map receives the image of `target(h, mesh)` in the triangle `face(h, mesh)` for each halfedge `h` that is not on the border. It is
+///   written once, at the end, if the atlas is valid, and left untouched otherwise. Triangles are counterclockwise.
+/// \param options where to cut, when to split, how to pack, when to stop
+/// \param traits the method and its settings, for each chart, see `Flip_free_map_traits`
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with vertex descriptors as keys and points in space as values}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{the caller's seams, all of which are cut}
+///     \cgalParamType{a model of `ReadablePropertyMap` with edge descriptors as keys and `bool` as values}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::edge_is_feature_map}
+///     \cgalParamDescription{edges that are preferred as seams, see `Cut_options::feature_cost`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with edge descriptors as keys and `bool` as values}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::face_chart_map}
+///     \cgalParamDescription{receives the number of each face's chart, its place in `Unwrap_summary::charts`}
+///     \cgalParamType{a model of `WritablePropertyMap` with face descriptors as keys and integers as values}
+///     \cgalParamDefault{not written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::edge_is_seam_map}
+///     \cgalParamDescription{receives whether an edge is a seam: whether its two triangles give different images to it. `false` on the border}
+///     \cgalParamType{a model of `WritablePropertyMap` with edge descriptors as keys and `bool` as values}
+///     \cgalParamDefault{not written}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// Pieces are cut by `cut_to_disk()` and flattened as by `parameterize()`. A piece that overlaps itself, which a map without flips may do at its
+/// borders, is split between two places of the border that cross, and the parts are flattened anew; so is one whose distortion exceeds
+/// `Unwrap_options::max_distortion`. Both come to an end, since a single triangle does neither. When the time is up, or the observer has asked to
+/// stop, parts keep the map that the whole had, which is valid, too.
+///
+/// \returns how it ended and what each chart is like; `Unwrap_summary::is_valid()` tells whether the maps were written. Bad input gives a status
+///   and a message, not an exception: `empty_mesh`, `not_triangular`, `non_manifold`, `degenerate_rest_element`, `non_finite_input`,
+///   `invalid_option`, `start_not_flip_free`, `linear_solver_failed`, `line_search_failed`, `result_not_representable`, `out_of_memory`.
+///
+/// Complexity: that of `cut_to_disk()` and of `parameterize()`, for each time that a piece is flattened, and of `is_bijective()`.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Traits,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options, const Traits& traits,
+                      const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  Unwrap_summary summary;
+  const auto run = [&] {
+    const auto vertex_points =
+      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+    std::vector<Face> all_faces;
+    std::vector<std::array<Halfedge, 3>> corners;
+    std::vector<std::array<std::int32_t, 3>> triangles;
+    std::vector<internal::Vector<3>> points;
+    std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, std::int32_t> numbers;
+    for(const Face face : faces(mesh)) {
+      std::array<Halfedge, 3> corner;
+      std::array<std::int32_t, 3> triangle;
+      Halfedge h = halfedge(face, mesh);
+      for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+        const auto entry = numbers.emplace(target(h, mesh), static_cast<std::int32_t>(points.size()));
+        if(entry.second) {
+          const auto& p = get(vertex_points, target(h, mesh));
+          points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
+        }
+        corner[k] = h;
+        triangle[k] = entry.first->second;
+      }
+      if(h != corner[0] || next(corner[0], mesh) == corner[0]) {
+        summary.status = Status::not_triangular;
+        summary.message = "the mesh must consist of triangles; not so face number " + std::to_string(all_faces.size());
+        return;
+      }
+      all_faces.push_back(face);
+      corners.push_back(corner);
+      triangles.push_back(triangle);
+    }
+    Positions<3> positions(3, points.size());
+    for(std::size_t v = 0; v < points.size(); ++v)
+      positions.col(v) = points[v];
+
+    internal::Chart_atlas<Traits> atlas(traits, options, summary);
+    if(!atlas.load(positions, triangles))
+      return;
+    const auto mark = [&](const auto& map, auto&& mark_edge) {
+      for(std::size_t f = 0; f < corners.size(); ++f)
+        for(int k = 0; k < 3; ++k)
+          if(get(map, edge(corners[f][k], mesh)))
+            mark_edge(static_cast<std::int32_t>(f), k);
+    };
+    if constexpr(internal::Has_parameter<NamedParameters, CGAL::internal_np::edge_is_constrained_t>::value)
+      mark(get_parameter(np, CGAL::internal_np::edge_is_constrained), [&atlas](std::int32_t f, int k) { atlas.mark_seam(f, k); });
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_feature_map_tag>::value)
+      mark(get_parameter(np, internal::edge_is_feature_map_tag), [&atlas](std::int32_t f, int k) { atlas.mark_feature(f, k); });
+    static_cast<void>(mark);
+
+    if(!atlas.template run<typename boost::property_traits<HalfedgeUVMap>::value_type>())
+      return;
+    internal::write_charts(atlas.charts(), uv_map, [&corners](std::int32_t f, int k) { return corners[f][k]; });
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Face_chart_map_tag>::value) {
+      const auto chart_map = get_parameter(np, internal::face_chart_map_tag);
+      for(std::size_t c = 0; c < atlas.charts().size(); ++c)
+        for(const std::int32_t f : atlas.charts()[c].faces)
+          put(chart_map, all_faces[f], static_cast<typename boost::property_traits<std::decay_t<decltype(chart_map)>>::value_type>(c));
+    }
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_seam_map_tag>::value) {
+      const auto seam_map = get_parameter(np, internal::edge_is_seam_map_tag);
+      for(std::size_t f = 0; f < corners.size(); ++f)
+        for(int k = 0; k < 3; ++k)
+          put(seam_map, edge(corners[f][k], mesh), atlas.is_seam(static_cast<std::int32_t>(f), k));
+    }
+    atlas.finish();
+  };
+  try {
+    run();
+  } catch(const std::bad_alloc&) {
+    summary.status = Status::out_of_memory;
+    summary.message = "memory was exhausted";
+  }
+  return summary;
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with the default method.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
+Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options,
+                      const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return unwrap(mesh, uv_map, options, Flip_free_map_traits<>(), np);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with default named parameters.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Traits>
+Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options, const Traits& traits)
+{
+  return unwrap(mesh, uv_map, options, traits, CGAL::parameters::default_values());
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with the default method and default named parameters.
+template <typename TriangleMesh, typename HalfedgeUVMap>
+Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options = Unwrap_options())
+{
+  return unwrap(mesh, uv_map, options, Flip_free_map_traits<>(), CGAL::parameters::default_values());
+}
+
+/// \ingroup PkgFlipFreeMapsIO
+/// Gathers a triangle mesh and a map of its corners, as `unwrap()` writes it, for files: `write_textured_OBJ(path, textured_atlas(mesh, uv_map))`.
+/// Corners with the same vertex and the same image share their texture coordinates. Points are numbered in the order of the vertices of
+/// `mesh`, isolated ones included, and triangles in the order of its faces.
+///
+/// \tparam TriangleMesh must be a model of `FaceListGraph` and `VertexListGraph`, of triangles, whose vertex descriptors are `Hashable`
+/// \tparam HalfedgeUVMap must be a model of `ReadablePropertyMap` with halfedge descriptors as keys and planar points as values
+///
+/// \param mesh a triangle mesh
+/// \param uv_map its map
+/// \param np optional named parameters: `vertex_point_map`, as in `unwrap()`
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Textured_mesh textured_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv_map,
+                             const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vertex_points =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+  Textured_mesh result;
+  std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> numbers;
+  for(const auto v : vertices(mesh)) {
+    numbers.emplace(v, static_cast<int>(result.points.size()));
+    const auto& p = get(vertex_points, v);
+    result.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+  }
+  internal::Corner_numbers<int> images;
+  for(const auto face : faces(mesh)) {
+    std::array<int, 3> triangle, texture_triangle;
+    auto h = halfedge(face, mesh);
+    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+      const auto& p = get(uv_map, h);
+      triangle[k] = numbers.at(target(h, mesh));
+      texture_triangle[k] = images(triangle[k], CGAL::to_double(p[0]), CGAL::to_double(p[1]));
+    }
+    result.triangles.push_back(triangle);
+    result.texture_triangles.push_back(texture_triangle);
+  }
+  const Positions<2> x = images.positions();
+  for(Eigen::Index i = 0; i < x.cols(); ++i)
+    result.texture.push_back({x(0, i), x(1, i)});
+  return result;
+}
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_UNWRAP_H
