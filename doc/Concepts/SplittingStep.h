@@ -49,12 +49,11 @@ public:
   /// \param jacobian the new Jacobian; `element.jacobian` is still that of the iteration before, and this one on return
   /// \param measure the measure of the element's rest shape
   /// \param adapt whether the penalty may change in this iteration; it must not otherwise, since the matrix is kept
-  /// \param has_flips whether any element of the map was flipped in the iteration before
   /// \param inert as in `start()`
   /// \param element the element
   /// \param errors to which the element's share is added, in all members of `CGAL::Flip_free_maps::Splitting_errors`
-  void update(const Eigen::Matrix<double, D, D>& jacobian, double measure, bool adapt, bool has_flips, bool inert,
-              Element& element, CGAL::Flip_free_maps::Splitting_errors& errors) const;
+  void update(const Eigen::Matrix<double, D, D>& jacobian, double measure, bool adapt, bool inert, Element& element,
+              CGAL::Flip_free_maps::Splitting_errors& errors) const;
 
   /// The penalty times the difference of the Jacobian that the element asks for and the one that it has,
   /// \f$\mu_e (T_e - J_e)\f$.
