@@ -55,6 +55,7 @@ run() # NAME FILE COMMAND...
 
 run "kernels" kernels.json "$bin/performance_bench_kernels" --benchmark_format=json
 run "interactive deformation" deform_interactive.csv "$bin/performance_deform_interactive"
+run "splitting iterations" splitting_iterations.csv "$bin/performance_splitting_iterations"
 run "bar experiments" bar_experiments.csv "$bin/quality_bar_experiments" 20 "$seconds"
 
 set --
@@ -69,7 +70,10 @@ if [ -n "$meshes" ]; then
     [ "$faces" -le "${FFM_LARGEST_MESH:-60000}" ] && set -- "$@" "$file"
   done
   [ $# -gt 0 ] || { echo "no meshes in $meshes"; exit 1; }
+  run "area distortion" area_distortion.csv "$bin/quality_area_distortion" "$@"
   [ -f "$meshes/PP_FIGURES.tsv" ] && set -- --reference "$meshes/PP_FIGURES.tsv" "$@"
+else
+  run "area distortion" area_distortion.csv "$bin/quality_area_distortion"
 fi
 if [ -x "$bin/quality_run_methods" ]; then
   "$bin/quality_run_methods" --seconds "$seconds" --csv "$out/methods.csv" --html "$out/methods.html" "$@" || failures=$((failures + 1))

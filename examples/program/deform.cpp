@@ -6,6 +6,7 @@
 // Author(s)     : The Flip_free_maps authors
 
 #include "deform.h"
+#include "splitting.h"
 
 #include <CGAL/Flip_free_maps/IO/Handles.h>
 #include <CGAL/Flip_free_maps/IO/volume_files.h>
@@ -100,8 +101,12 @@ private:
     const auto reporter = std::make_shared<Reporter>(m_arguments.method);
     FFM::Any_map_traits traits = make_traits(m_arguments.method);
     set_options(m_arguments.method, reporter, traits.options);
-    summary = FFM::deform(mesh, handles, result, traits);
-    traits.name_choices(summary);
+    if(m_arguments.method.is_splitting())
+      summary = FFM::deform(mesh, handles, result, splitting_traits(m_arguments.method, traits));
+    else {
+      summary = FFM::deform(mesh, handles, result, traits);
+      traits.name_choices(summary);
+    }
     reporter->finish();
     if(!summary.is_valid())
       return;

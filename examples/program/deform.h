@@ -13,6 +13,9 @@
 #include "common.h"
 
 #include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
+
+#include <vector>
 
 namespace program {
 
@@ -29,6 +32,10 @@ FFM::Tetrahedral_mesh tetrahedralized(const Mesh& surface, double cell_size);
 
 // Deforms a solid, writes it and draws it.
 void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh, FFM::Summary& summary);
+
+// Writes and draws a solid whose points went to `result`.
+void write_solid(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume,
+                 const std::vector<Kernel::Point_3>& result, const FFM::Summary& summary);
 
 } // namespace program
 

@@ -6,6 +6,7 @@
 // Author(s)     : The Flip_free_maps authors
 
 #include "deform.h"
+#include "splitting.h"
 
 #include <CGAL/Flip_free_maps/IO/Handles.h>
 #include <CGAL/Flip_free_maps/IO/Surface_picture.h>
@@ -102,12 +103,21 @@ void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh,
     for(std::size_t v = 0; v < volume.vertices().size(); ++v)
       options.start.col(v) = Eigen::Map<const Eigen::Vector3d>(start.points[volume.vertices()[v]].data());
   }
-  summary = FFM::deform_volume(volume, handles, CGAL::make_property_map(result), traits, options);
-  traits.name_choices(summary);
+  if(arguments.method.is_splitting())
+    summary = FFM::deform_volume(volume, handles, CGAL::make_property_map(result), splitting_traits(arguments.method, traits), options);
+  else {
+    summary = FFM::deform_volume(volume, handles, CGAL::make_property_map(result), traits, options);
+    traits.name_choices(summary);
+  }
   reporter->finish();
-  if(!summary.is_valid())
-    return;
+  if(summary.is_valid())
+    write_solid(arguments, mesh, volume, result, summary);
+}
 
+void write_solid(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume,
+                 const std::vector<Kernel::Point_3>& result, const FFM::Summary& summary)
+{
+  std::string message;
   const std::vector<double> distortion = distortions(volume.domain(), volume, result);
   FFM::Tetrahedral_mesh deformed = mesh;
   for(std::size_t i = 0; i < result.size(); ++i)

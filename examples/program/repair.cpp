@@ -5,13 +5,11 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#include "common.h"
+#include "splitting.h"
 
 #include <CGAL/Flip_free_maps/repair_map.h>
 
-#include <CGAL/Polygon_mesh_processing/border.h>
-
-#include <iterator>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 namespace program {
 
@@ -29,10 +27,7 @@ public:
     app->add_flag("--unit-square", m_unit_square, "scale the texture coordinates into the unit square");
     app->add_flag("--fix-border", m_fix_border, "border vertices keep their places");
     app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
-    app->add_option("--time-limit", m_method.time_limit, "seconds, for each method that is tried")->check(CLI::PositiveNumber);
-    app->add_option("--threads", m_method.threads, "at most this many; results do not depend on it")->check(CLI::PositiveNumber);
-    app->add_option("--json", m_method.json, "write the summary");
-    app->add_flag("--quiet", m_method.quiet, "print nothing but errors");
+    add_limit_options(*app, m_method);
     add_picture_options(*app, m_pictures);
   }
 
@@ -48,9 +43,8 @@ private:
     Triangles triangles;
     read_triangles(m_input, triangles);
     Mesh& mesh = triangles.mesh;
-    std::vector<Mesh::Halfedge_index> borders;
-    PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
-    if(borders.empty())
+    const Mesh::Halfedge_index border = PMP::longest_border(mesh).first;
+    if(border == Mesh::null_halfedge())
       throw Failure{Status::no_border, "the surface is closed"};
     UV_map uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
     const std::vector<Kernel::Point_2> given = vertex_texture(m_input, triangles);
@@ -61,9 +55,11 @@ private:
     options.polish = !m_no_polish;
     options.fix_border = m_fix_border;
     FFM::Flip_free_map_traits<> traits;
-    if(m_method.time_limit > 0)
-      options.splitting.max_seconds = options.foldover_free.max_seconds = traits.options.max_seconds = m_method.time_limit;
-    summary = FFM::repair_map(mesh, borders.front(), uv, options, traits);
+    set_limits(m_method, options);
+    const auto reporter = std::make_shared<Reporter>(m_method);
+    set_options(m_method, reporter, traits.options);
+    summary = FFM::repair_map(mesh, border, uv, options, traits);
+    reporter->finish();
     if(summary.is_valid())
       write_layout(triangles, uv, m_unit_square, m_output, m_pictures, m_input, summary);
   }

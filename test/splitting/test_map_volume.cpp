@@ -10,7 +10,7 @@
 #define BOOST_TEST_MODULE map_volume
 #include <boost/test/included/unit_test.hpp>
 
-#include "support/generated_domains.h"
+#include "support/splitting_checks.h"
 
 #include <CGAL/Flip_free_maps/map_volume.h>
 
@@ -36,14 +36,6 @@ std::vector<std::int32_t> boundary_vertices()
         if(i % n == 0 || j % n == 0 || k % n == 0)
           result.push_back((k * (n + 1) + j) * (n + 1) + i);
   return result;
-}
-
-std::int64_t negative_elements(const FFM::Simplicial_domain<3>& domain, const FFM::Positions<3>& x)
-{
-  std::int64_t flips = 0;
-  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
-    flips += !(domain.image_edges(e, x).determinant() > 0);
-  return flips;
 }
 
 } // namespace

@@ -19,6 +19,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -175,4 +180,48 @@ BOOST_AUTO_TEST_CASE(uv_map_of_a_mesh)
     x.col(v.idx()) << uv[v].x() / domain.scale, uv[v].y() / domain.scale;
   BOOST_TEST(number_of_flips(domain, x) == 0);
   BOOST_TEST(symmetric_dirichlet<2>(domain, x) == summary.energy, boost::test_tools::tolerance(1e-8));
+}
+
+BOOST_AUTO_TEST_CASE(conformal_map_that_collapsed)
+{
+  // The antlers of a deer, of which a conformal map leaves next to nothing: the splitting scheme gets by without the second method.
+  const std::string folder = std::string(FLIP_FREE_MAPS_SHARED_DATA_DIR) + "/cases/uvrepair/";
+  std::ifstream mesh(folder + "deer.obj"), map(folder + "deer_lscm.uv");
+  if(!mesh || !map) {
+    BOOST_TEST_MESSAGE("skipped: " << folder << " has no deer");
+    return;
+  }
+  Surface deer;
+  for(std::string word; mesh >> word;) {
+    if(word == "v") {
+      Eigen::Vector3d p;
+      mesh >> p[0] >> p[1] >> p[2];
+      deer.points.push_back(p);
+    } else if(word == "f") {
+      std::array<std::int32_t, 3> triangle;
+      for(std::int32_t& v : triangle) {
+        mesh >> word;
+        v = std::stoi(word) - 1;
+      }
+      deer.triangles.push_back(triangle);
+    } else
+      std::getline(mesh, word);
+  }
+  const FFM::Simplicial_domain<2> domain = make_domain(deer);
+  FFM::Positions<2> start(2, domain.number_of_vertices);
+  for(Eigen::Index v = 0; v < start.cols(); ++v)
+    map >> start(0, v) >> start(1, v);
+  start /= domain.scale;
+  BOOST_TEST_REQUIRE(number_of_flips(domain, start) > 600);
+  FFM::Repair_options options;
+  options.use_second_method = false;
+  options.polish = false;
+  // Rotations change nothing but rounding, which must not decide.
+  for(double angle : {0., 1.}) {
+    FFM::Positions<2> x = Eigen::Rotation2Dd(angle).toRotationMatrix() * start;
+    const FFM::Summary summary = FFM::repair_map(domain, x, {}, options, Traits());
+    BOOST_TEST(summary.is_valid());
+    BOOST_TEST(summary.iterations < 1500);
+    BOOST_TEST(number_of_flips(domain, x) == 0);
+  }
 }

@@ -10,7 +10,7 @@
 #define BOOST_TEST_MODULE splitting_constraints
 #include <boost/test/included/unit_test.hpp>
 
-#include "support/generated_domains.h"
+#include "support/splitting_checks.h"
 #include "support/starts.h"
 
 #include <CGAL/Flip_free_maps/Splitting_minimizer.h>
@@ -58,16 +58,9 @@ void check_global_step(const FFM::Simplicial_domain<D>& domain, const FFM::Posit
   FFM::internal::Element_schedule schedule;
   schedule.build(domain.elements, domain.number_of_vertices);
   FFM::internal::Position_solver<D, Traits<>> positions(domain, schedule, constraints, linear);
-  FFM::Eigen_simplicial_solver solver;
+  Plain_solver plain;
   FFM::Positions<D> x = start;
-  BOOST_TEST_REQUIRE(positions.analyze_pattern(solver));
-  // The shift of a robust solver is no business of this test.
-  struct Plain
-  {
-    FFM::Eigen_simplicial_solver& solver;
-    bool factorize(const FFM::Block_sparse_matrix& matrix, double) { return solver.factorize(matrix); }
-    bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& y) { return solver.solve(b, y); }
-  } plain{solver};
+  BOOST_TEST_REQUIRE(positions.analyze_pattern(plain));
   BOOST_TEST_REQUIRE(positions.factorize(plain, [&](std::int64_t e) { return penalties[e]; }));
   BOOST_TEST_REQUIRE(positions.move(
     plain, [&](std::int64_t e) { return FFM::internal::Matrix<D>(penalties[e] * (targets[e] - domain.jacobian(e, x))); }, x));

@@ -10,7 +10,7 @@
 #define BOOST_TEST_MODULE splitting_in_space
 #include <boost/test/included/unit_test.hpp>
 
-#include "support/generated_domains.h"
+#include "support/splitting_checks.h"
 
 #include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/Splitting_minimizer.h>
@@ -25,27 +25,6 @@ namespace {
 
 template <typename Energy>
 using Traits = FFM::Flip_free_map_traits<CGAL::Default, Energy>;
-
-template <int D>
-std::int64_t negative_elements(const FFM::Simplicial_domain<D>& domain, const FFM::Positions<D>& x)
-{
-  std::int64_t flips = 0;
-  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
-    flips += !(domain.image_edges(e, x).determinant() > 0);
-  return flips;
-}
-
-// Some vertices jump far enough to flip the elements around them.
-template <int D>
-FFM::Positions<D> shaken(const FFM::Positions<D>& x, double length, int every)
-{
-  Random random(11);
-  FFM::Positions<D> result = x;
-  for(Eigen::Index v = 0; v < x.cols(); v += every)
-    for(int c = 0; c < D; ++c)
-      result(c, v) += random(-length, length);
-  return result;
-}
 
 } // namespace
 

@@ -10,12 +10,13 @@
 #define BOOST_TEST_MODULE splitting_minimizer
 #include <boost/test/included/unit_test.hpp>
 
-#include "support/generated_domains.h"
+#include "support/splitting_checks.h"
 #include "support/starts.h"
 
 #include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/Splitting_map_traits.h>
 #include <CGAL/Flip_free_maps/Splitting_minimizer.h>
-#include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
+#include <CGAL/Flip_free_maps/deform.h>
 
 #include <limits>
 
@@ -24,45 +25,22 @@ using namespace test_support;
 
 namespace {
 
-template <typename Energy>
-using Traits = FFM::Flip_free_map_traits<CGAL::Default, Energy>;
-
-template <int D>
-std::int64_t negative_elements(const FFM::Simplicial_domain<D>& domain, const FFM::Positions<D>& x)
-{
-  std::int64_t flips = 0;
-  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
-    flips += !(domain.image_edges(e, x).determinant() > 0);
-  return flips;
-}
-
-// Some vertices jump far enough to flip the elements around them.
-template <int D>
-FFM::Positions<D> shaken(const FFM::Positions<D>& x, double length, int every)
-{
-  Random random(11);
-  FFM::Positions<D> result = x;
-  for(Eigen::Index v = 0; v < x.cols(); v += every)
-    for(int c = 0; c < D; ++c)
-      result(c, v) += random(-length, length);
-  return result;
-}
+// The symmetric Dirichlet energy; its minimizer is compiled for other tests, too.
+typedef FFM::Flip_free_map_traits<> Traits;
 
 // Newton's method, converged far beyond the splitting's tolerances.
-template <int D, typename Energy>
-double minimum_near(const FFM::Simplicial_domain<D>& domain, FFM::Positions<D> x)
+double minimum_near(const FFM::Simplicial_domain<2>& domain, FFM::Positions<2> x)
 {
-  Traits<Energy> traits;
+  Traits traits;
   traits.options.characteristic_gradient_tolerance = 1e-9;
-  const FFM::Summary summary = FFM::Map_minimizer<D, Traits<Energy>>(domain, traits).minimize(x);
+  const FFM::Summary summary = FFM::Map_minimizer<2, Traits>(domain, traits).minimize(x);
   BOOST_TEST(summary.converged());
   return summary.energy;
 }
 
-template <int D, typename Energy>
-FFM::Summary check_splitting(const FFM::Simplicial_domain<D>& domain, FFM::Positions<D>& x)
+FFM::Summary check_splitting(const FFM::Simplicial_domain<2>& domain, FFM::Positions<2>& x)
 {
-  const FFM::Summary summary = FFM::Splitting_minimizer<D, Traits<Energy>>(domain).minimize(x);
+  const FFM::Summary summary = FFM::Splitting_minimizer<2, Traits>(domain).minimize(x);
   BOOST_TEST(summary.converged());
   BOOST_TEST(summary.flips == 0);
   BOOST_TEST(negative_elements(domain, x) == 0);
@@ -75,23 +53,22 @@ FFM::Summary check_splitting(const FFM::Simplicial_domain<D>& domain, FFM::Posit
 
 BOOST_AUTO_TEST_CASE(same_energy_in_the_plane)
 {
-  typedef FFM::Symmetric_dirichlet Energy;
   const FFM::Simplicial_domain<2> domain = make_domain(bumpy_patch(12, 9));
   const FFM::Positions<2> start = tutte_start(domain), flipped = shaken<2>(start, 0.2, 5), wild = shaken<2>(start, 0.5, 5);
   BOOST_TEST_REQUIRE(negative_elements(domain, flipped) > 10);
   BOOST_TEST_REQUIRE(negative_elements(domain, wild) > 10);
-  const double minimum = minimum_near<2, Energy>(domain, start);
+  const double minimum = minimum_near(domain, start);
   for(const FFM::Positions<2>& from : {start, flipped}) {
     FFM::Positions<2> x = from;
-    const FFM::Summary splitting = check_splitting<2, Energy>(domain, x);
+    const FFM::Summary splitting = check_splitting(domain, x);
     BOOST_TEST(splitting.energy == minimum, boost::test_tools::tolerance(1e-6));
     BOOST_TEST(splitting.energy >= minimum - 1e-9);
   }
 
   // From a start that is far off, the map may turn twice around a vertex. It is a local minimum all the same.
   FFM::Positions<2> x = wild;
-  const FFM::Summary splitting = check_splitting<2, Energy>(domain, x);
-  const double nearby = minimum_near<2, Energy>(domain, x);
+  const FFM::Summary splitting = check_splitting(domain, x);
+  const double nearby = minimum_near(domain, x);
   BOOST_TEST(splitting.energy == nearby, boost::test_tools::tolerance(1e-6));
   BOOST_TEST(splitting.energy >= nearby - 1e-9);
   BOOST_TEST(nearby >= minimum - 1e-9);
@@ -111,7 +88,7 @@ BOOST_AUTO_TEST_CASE(handles_that_jump_from_a_model)
   options.polish = true;
   FFM::Positions<2> x = start;
   FFM::Summary summary;
-  FFM::Splitting_minimizer<2, Traits<FFM::Symmetric_dirichlet>>(domain, {}, constraints, options).minimize(x, rest, summary);
+  FFM::Splitting_minimizer<2, Traits>(domain, {}, constraints, options).minimize(x, rest, summary);
   BOOST_TEST(summary.is_valid());
   BOOST_TEST(number_of_flips(domain, x) == 0);
   BOOST_TEST(summary.start.find("splitting") != std::string::npos);
@@ -119,12 +96,69 @@ BOOST_AUTO_TEST_CASE(handles_that_jump_from_a_model)
     BOOST_TEST((x.col(v).array() == start.col(v).array()).all());
 }
 
+BOOST_AUTO_TEST_CASE(session)
+{
+  // A handle goes up in small moves and comes back; each move has few iterations and keeps what the last one knew.
+  const Surface flat = grid(16, 8, [](double u, double v) { return Eigen::Vector3d(2 * u, v, 0); });
+  const FFM::Simplicial_domain<2> domain = make_domain(flat);
+  const FFM::Positions<2> rest = domain.scale * positions_of<2>(flat, domain.scale);
+  typedef FFM::Splitting_map_traits<Traits> Splitting_traits;
+  Splitting_traits traits;
+  traits.splitting.max_iterations = 4;
+  const std::vector<std::int32_t> handles = {0, 16, 17 * 8, 77};
+  FFM::Deformation<2, Splitting_traits> deformation(domain, rest, handles, traits);
+  FFM::Positions<2> targets(2, 4);
+  for(int i = 0; i < 4; ++i)
+    targets.col(i) = rest.col(handles[i]);
+  const auto move = [&](double height) {
+    targets(1, 3) = rest(1, 77) + height;
+    const FFM::Summary summary = deformation.move(targets);
+    BOOST_TEST(summary.is_valid());
+    BOOST_TEST(number_of_flips(domain, deformation.positions()) == 0);
+    for(int i = 0; i < 4; ++i)
+      BOOST_TEST((deformation.positions().col(handles[i]).array() == targets.col(i).array()).all());
+    return summary;
+  };
+  const FFM::Summary first = move(0);
+  BOOST_TEST(first.seconds.analyze > 0);
+  for(int i = 1; i <= 10; ++i) {
+    const FFM::Summary summary = move(0.02 * i);
+    BOOST_TEST(summary.iterations == 4);
+    BOOST_TEST(summary.seconds.analyze == 0);
+    // Penalties stay as they are in so short a run.
+    BOOST_TEST(summary.factorizations == (i == 1 ? 1 : 0));
+    BOOST_TEST(summary.energy > 1);
+  }
+  // Left alone it finds the minimum that a descent from there finds.
+  deformation.options().max_iterations = 5000;
+  const FFM::Summary last = move(0.2);
+  BOOST_TEST(last.converged());
+  FFM::Position_constraints<2> constraints;
+  constraints.fixed_vertices = handles;
+  FFM::Positions<2> x = deformation.positions() / domain.scale;
+  const FFM::Summary newton = FFM::Map_minimizer<2, Traits>(domain, Traits(), constraints).minimize(x);
+  BOOST_TEST(last.energy == newton.energy, boost::test_tools::tolerance(1e-5));
+
+  // What cannot be reached leaves the shape as it is.
+  const FFM::Positions<2> before = deformation.positions();
+  deformation.options().max_iterations = 3;
+  targets.col(3) = rest.col(0) + Eigen::Vector2d(-5, 0.01);
+  targets.col(2) = rest.col(0) + Eigen::Vector2d(9, 0.01);
+  const FFM::Summary failure = deformation.move(targets);
+  BOOST_TEST((failure.status == FFM::Status::flips_remain));
+  BOOST_TEST((deformation.positions().array() == before.array()).all());
+  deformation.options().max_iterations = 5000;
+  targets.col(2) = rest.col(handles[2]);
+  targets.col(3) = rest.col(handles[3]);
+  BOOST_TEST(move(0.1).converged());
+}
+
 BOOST_AUTO_TEST_CASE(ends_of_runs)
 {
   const FFM::Simplicial_domain<2> domain = make_domain(bumpy_patch(8, 7));
   const FFM::Positions<2> start = tutte_start(domain), flipped = shaken<2>(start, 0.5, 4);
   const auto run = [&](const FFM::Splitting_options& options, FFM::Positions<2>& x) {
-    return FFM::Splitting_minimizer<2, Traits<FFM::Symmetric_dirichlet>>(domain, {}, {}, options).minimize(x);
+    return FFM::Splitting_minimizer<2, Traits>(domain, {}, {}, options).minimize(x);
   };
   FFM::Splitting_options options;
   options.max_iterations = 0;

@@ -15,12 +15,12 @@
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Element_schedule.h>
+#include <CGAL/Flip_free_maps/internal/Position_solver.h>
 #include <CGAL/Flip_free_maps/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/splitting/Admm_splitting_step.h>
 #include <CGAL/Flip_free_maps/splitting/Linear_constraints.h>
-#include <CGAL/Flip_free_maps/splitting/Position_solver.h>
 #include <CGAL/Flip_free_maps/splitting/Proximal_map.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_errors.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <new>
 #include <string>
 #include <utility>
@@ -54,7 +55,8 @@ namespace Flip_free_maps {
 /// \tparam Step must be a model of `SplittingStep`
 ///
 /// Complexity: an iteration is linear in the number of elements, with one pair of sparse triangular solves of |V| unknowns per coordinate.
-/// The matrix is factorized anew when penalties change, about 5 + log2(n / 5) times in n iterations; its pattern is analysed once.
+/// The matrix is factorized anew when penalties change, about 5 + log2(n / 5) times in n iterations without flips; its
+/// pattern is analysed once.
 template <int D, typename Traits = Flip_free_map_traits<CGAL::Default, Symmetric_gradient>,
           typename Step = Admm_splitting_step<D, typename Traits::Energy>>
 class Splitting_minimizer
@@ -65,7 +67,7 @@ class Splitting_minimizer
   using Kernel = typename Traits::Kernel;
   using Tag = typename Traits::Concurrency_tag;
   using Energy = typename Traits::Energy;
-  using Matrix = internal::Matrix<D>;
+  using Position_solver = internal::Position_solver<D, Traits>;
 
 public:
   /// Keeps a reference to `domain`, which must outlive this object, and copies of everything else.
@@ -74,7 +76,7 @@ public:
                                const Splitting_options& options = Splitting_options(),
                                const Linear_constraints<D>& linear_constraints = Linear_constraints<D>())
     : m_domain(domain), m_traits(traits), m_constraints(constraints), m_options(options), m_linear_constraints(linear_constraints),
-      m_step(traits.energy, options)
+      m_step(traits.energy, options), m_linear_solver(m_traits.make_linear_solver()), m_solver(m_linear_solver)
   {
     m_schedule.build(domain.elements, domain.number_of_vertices);
     for(std::int64_t begin = 0; begin < domain.number_of_elements(); begin += CHUNK_SIZE)
@@ -83,6 +85,9 @@ public:
 
   Splitting_minimizer(const Splitting_minimizer&) = delete;
   Splitting_minimizer& operator=(const Splitting_minimizer&) = delete;
+
+  /// The settings; they may be changed between runs, but for those of penalties.
+  Splitting_options& options() { return m_options; }
 
   /// Minimises, beginning at the positions `x`, in the domain's units of length.
   ///
@@ -122,13 +127,33 @@ public:
     summary.peak_memory_mb = internal::peak_memory_mb();
   }
 
-  /// The same without a polish, whatever the options say: a program that calls no other function is spared the compilation of
+  /// Moves the fixed vertices of a map to other positions and minimises there.
+  ///
+  /// \param x a map without flips; on return the result when the summary `is_valid()`, otherwise unchanged
+  /// \param targets its columns of fixed vertices are where these go; others are not read
+  /// \param summary counts and times are added to it
+  void move_fixed_vertices(Positions<D>& x, const Positions<D>& targets, Summary& summary)
+  {
+    Positions<D> moved = x;
+    if(targets.cols() == x.cols() && x.cols() == m_domain.number_of_vertices)
+      for(std::int32_t v : m_constraints.fixed_vertices)
+        if(v >= 0 && v < m_domain.number_of_vertices)
+          moved.col(v) = targets.col(v);
+    minimize(moved, targets.cols() == x.cols() ? x : targets, summary);
+    if(summary.is_valid())
+      x.swap(moved);
+  }
+
+  /// As `minimize()` without a polish, whatever the options say: a program that calls no other function is spared the compilation of
   /// `Map_minimizer`.
   void split(Positions<D>& x, const Positions<D>& model, Summary& summary)
   {
     summary.vertices = m_domain.number_of_vertices;
     summary.elements = m_domain.number_of_elements();
-    summary.energy_name = Energy::name();
+    if constexpr(internal::Holds_energy<Energy>::value)
+      summary.energy_name = m_traits.energy.energy_name();
+    else
+      summary.energy_name = Energy::name();
     summary.preconditioner = Step::name();
     const Status bad = check(x, model, summary.message);
     if(bad != Status::success) {
@@ -137,10 +162,7 @@ public:
     }
     try {
       Positions<D> result = x;
-      {
-        const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
-        run(result, model, summary);
-      }
+      run(result, model, summary);
       if(summary.is_valid())
         x = std::move(result);
     } catch(const std::bad_alloc&) {
@@ -196,26 +218,33 @@ private:
 
   void run(Positions<D>& x, const Positions<D>& model, Summary& summary)
   {
-    typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
-    internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver);
-    solver.set_summary(summary);
-    internal::Position_solver<D, Traits> positions(m_domain, m_schedule, m_constraints, m_linear_constraints);
+    m_solver.set_summary(summary);
+    const bool is_new = m_positions == nullptr;
+    if(is_new)
+      m_positions = std::make_unique<Position_solver>(m_domain, m_schedule, m_constraints, m_linear_constraints);
+    Position_solver& positions = *m_positions;
+    const int first_iteration = summary.iterations;
     const double time_begin = internal::wall_seconds();
 
     std::int64_t flips = this->flips(x, summary);
     summary.energy = summary.energy_initial = flips == 0 ? energy(x) : std::numeric_limits<double>::infinity();
-    const bool inert = m_options.proximal_rotation == Proximal_rotation::on ||
-                       (m_options.proximal_rotation == Proximal_rotation::automatic && flips <= MANY_FLIPS * m_domain.number_of_elements());
+    const bool is_warm = m_options.keep_factorization && m_is_warm;
+    m_is_warm = false;
+    if(!is_warm)
+      m_is_inert = m_options.proximal_rotation == Proximal_rotation::on ||
+                   (m_options.proximal_rotation == Proximal_rotation::automatic && flips <= MANY_FLIPS * m_domain.number_of_elements());
     // With a model of its own, the first iterate is to come near it; the Jacobians of x are entered so that its increment is right.
     {
       const internal::Phase_timer timer(summary.seconds.assemble);
       m_elements.resize(m_domain.elements.size());
       for_each_element<Splitting_errors>([&](std::int64_t e, Splitting_errors&) {
-        m_step.start(m_domain.jacobian(e, model), m_domain.measures[e], inert, m_elements[e]);
+        if(!is_warm)
+          m_step.start(m_domain.jacobian(e, model), m_domain.measures[e], m_is_inert, m_elements[e]);
         m_elements[e].jacobian = m_domain.jacobian(e, x);
       });
     }
-    if(positions.has_unknowns() && !positions.analyze_pattern(solver)) {
+    if(is_new && positions.has_unknowns() && !positions.analyze_pattern(m_solver)) {
+      m_positions.reset();
       finish(summary, Status::linear_solver_failed, "the linear solver could not analyse the pattern of the matrix");
       return;
     }
@@ -224,8 +253,10 @@ private:
     Positions<D> flip_free; // the last iterate without flips in floating point, if the present one has some
     if(flips == 0)
       flip_free = x;
-    bool is_factorized = false;
-    int adaptations = 0, next_adaptation = 1, interval = m_options.adaptation_interval;
+    bool is_factorized = is_warm && m_is_factorized;
+    // Penalties of the run before are about right.
+    int adaptations = is_warm ? m_options.first_adaptations : 0, interval = m_options.adaptation_interval;
+    int next_adaptation = first_iteration + (is_warm ? interval : 1);
     for(;;) {
       const bool wants_energy = m_options.observer || std::isfinite(m_options.target_energy);
       if(wants_energy)
@@ -250,16 +281,16 @@ private:
           finish(summary, Status::success, "the target energy is reached");
           break;
         }
-        if(summary.iterations > 0 && report.primal_error <= m_primal_tolerance && report.dual_error <= m_dual_tolerance) {
+        if(summary.iterations > first_iteration && report.primal_error <= m_primal_tolerance && report.dual_error <= m_dual_tolerance) {
           finish(summary, Status::success, "both errors are within their tolerances");
           break;
         }
       }
-      if(!positions.has_unknowns() && summary.iterations > 0) {
+      if(!positions.has_unknowns() && summary.iterations > first_iteration) {
         finish(summary, flips == 0 ? Status::success : Status::unreachable_constraints, "all vertices are fixed");
         break;
       }
-      if(summary.iterations >= m_options.max_iterations) {
+      if(summary.iterations - first_iteration >= m_options.max_iterations) {
         finish(summary, Status::iteration_limit, "the limit of iterations is reached");
         break;
       }
@@ -269,12 +300,12 @@ private:
       }
 
       if(positions.has_unknowns()) {
-        if(!is_factorized && !positions.factorize(solver, [this](std::int64_t e) { return m_elements[e].penalty; })) {
+        if(!is_factorized && !positions.factorize(m_solver, [this](std::int64_t e) { return m_elements[e].penalty; })) {
           finish(summary, Status::linear_solver_failed, "no factorization succeeded, not even of a strongly shifted matrix");
           break;
         }
         is_factorized = true;
-        if(!positions.move(solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, x)) {
+        if(!positions.move(m_solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, x)) {
           finish(summary, Status::linear_solver_failed, "the linear solver found no positions");
           break;
         }
@@ -284,7 +315,7 @@ private:
       {
         const internal::Phase_timer timer(summary.seconds.assemble);
         const Splitting_errors errors = for_each_element<Splitting_errors>([&](std::int64_t e, Splitting_errors& sums) {
-          m_step.update(m_domain.jacobian(e, x), m_domain.measures[e], adapt, flips != 0, inert, m_elements[e], sums);
+          m_step.update(m_domain.jacobian(e, x), m_domain.measures[e], adapt, m_is_inert, m_elements[e], sums);
         });
         report.primal_error = std::sqrt(errors.primal);
         report.dual_error = std::sqrt(errors.dual);
@@ -299,7 +330,9 @@ private:
           next_adaptation = summary.iterations + 1;
         else {
           next_adaptation = summary.iterations + interval;
-          interval *= 2;
+          // Where flips remain penalties must go on rising.
+          if(flips == 0 || 2 * interval <= m_options.largest_interval_with_flips)
+            interval *= 2;
         }
       }
       if(flips == 0) {
@@ -311,6 +344,8 @@ private:
       }
     }
     conclude(flip_free, x, summary);
+    m_is_warm = summary.is_valid();
+    m_is_factorized = is_factorized;
   }
 
   // Certifies the last iterate, or the last one without flips, and measures it.
@@ -346,10 +381,7 @@ private:
     const Summary before = summary;
     Positions<D> polished = x;
     Map_minimizer<D, Traits> minimizer(m_domain, m_traits, m_constraints);
-    {
-      const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
-      minimizer.minimize(polished, summary);
-    }
+    minimizer.minimize(polished, summary);
     summary.energy_initial = before.energy_initial;
     if(summary.is_valid()) {
       x = polished;
@@ -423,6 +455,12 @@ private:
   internal::Element_schedule m_schedule;
   std::vector<Chunk> m_chunks;
   std::vector<typename Step::Element> m_elements;
+  typename Traits::Linear_solver m_linear_solver;
+  internal::Robust_solver<typename Traits::Linear_solver> m_solver;
+  std::unique_ptr<Position_solver> m_positions; // made in the first run, when constraints have been checked
+  bool m_is_warm = false;       // elements are as a run with a valid map left them
+  bool m_is_factorized = false; // with their penalties
+  bool m_is_inert = false;
   double m_primal_tolerance = 0;
   double m_dual_tolerance = 0;
 };

@@ -35,7 +35,8 @@ namespace Flip_free_maps {
 /// the last one, and with its factorization as long as that serves. It is what an interactive program holds.
 ///
 /// \tparam D 2 for planar shapes, 3 for solids
-/// \tparam Traits must be a model of `MapTraits`
+/// \tparam Traits must be a model of `MapTraits`. With `Splitting_map_traits` handles jump, iterations cost little, and the shape keeps its
+///   place and the status is `flips_remain` where no map without flips was found.
 ///
 /// All positions are in the user's units of length.
 template <int D, typename Traits = Flip_free_map_traits<>>
@@ -72,8 +73,9 @@ public:
   /// The current shape.
   const Positions<D>& positions() const { return m_positions; }
 
-  /// The settings; they may be changed between moves. An iteration limit of a few makes a move a quick one that leaves the rest to the next.
-  Map_options& options() { return m_minimizer.options(); }
+  /// The settings, `Map_options`, or `Splitting_options` with `Splitting_map_traits`; they may be changed between moves. An iteration
+  /// limit of a few makes a move a quick one that leaves the rest to the next.
+  auto& options() { return m_minimizer.options(); }
 
   /// Moves the handles to `targets`, a column for each, and optimises the shape. On the way there no element flips, however far the
   /// handles go. Handles are exactly at their targets afterwards.

@@ -13,8 +13,8 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/uniform_extension.h>
 #include <CGAL/Flip_free_maps/repair_map.h>
-#include <CGAL/Flip_free_maps/splitting/uniform_extension.h>
 
 #include <cstdint>
 #include <new>
@@ -36,8 +36,7 @@ enum class Volume_start
 /// Maps a volume whose boundary is mapped already to the volume inside the image of the boundary: volume correspondence (Stein, Li and
 /// Solomon 2022, section 8.3). Flips of the start are removed by `repair_map()`, then the distortion is minimised.
 ///
-/// \tparam Traits must be a model of `MapTraits`. <b>Default:</b> the symmetric gradient energy, which changes volumes less than the
-///         symmetric Dirichlet energy does
+/// \tparam Traits must be a model of `MapTraits`. <b>Default:</b> the symmetric gradient energy, as in the paper
 ///
 /// \param domain the tetrahedra with their rest shapes
 /// \param boundary_vertices the vertices whose positions are prescribed: usually all those on the boundary

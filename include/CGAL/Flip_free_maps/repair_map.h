@@ -46,6 +46,19 @@ struct Halfedge_of
 template <int D>
 struct Halfedge_of<Simplicial_domain<D>> {};
 
+// The symmetric gradient energy with another method's kernel, linear solver and concurrency.
+template <typename Traits>
+struct Repair_traits
+  : Flip_free_map_traits<typename Traits::Kernel, Symmetric_gradient, CGAL::Default, CGAL::Default, typename Traits::Linear_solver,
+                         CGAL::Default, CGAL::Default, typename Traits::Concurrency_tag>
+{
+  explicit Repair_traits(const Traits& traits) : method(traits) {}
+
+  typename Traits::Linear_solver make_linear_solver() const { return method.make_linear_solver(); }
+
+  Traits method;
+};
+
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsSplitting
@@ -100,19 +113,20 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
                    const Position_constraints<D>& constraints = Position_constraints<D>(),
                    const Repair_options& options = Repair_options(), const Traits& traits = Traits())
 {
-  using Splitting_traits = Flip_free_map_traits<typename Traits::Kernel, Symmetric_gradient, CGAL::Default, CGAL::Default,
-                                                typename Traits::Linear_solver, CGAL::Default, CGAL::Default,
-                                                typename Traits::Concurrency_tag>;
   Summary summary;
   const auto run = [&] {
+    const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
     if(!options.is_valid(&summary.message) || !traits.options.is_valid(&summary.message) ||
        !constraints.is_valid(domain.number_of_vertices, &summary.message)) {
       summary.status = Status::invalid_option;
       return;
     }
     Position_constraints<D> used = constraints;
-    if(options.fix_border)
+    if(options.fix_border) {
       used.fixed_vertices.insert(used.fixed_vertices.end(), domain.border.begin(), domain.border.end());
+      for(const auto& hole : domain.holes)
+        used.fixed_vertices.insert(used.fixed_vertices.end(), hole.begin(), hole.end());
+    }
 
     Positions<D> result = x;
     if(used.empty() && x.cols() == domain.number_of_vertices && x.allFinite()) {
@@ -125,13 +139,13 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     }
     const Positions<D> given = result;
 
-    Splitting_minimizer<D, Splitting_traits> splitter(domain, Splitting_traits(), used, options.splitting);
+    using Splitting_traits = internal::Repair_traits<Traits>;
+    Splitting_minimizer<D, Splitting_traits> splitter(domain, Splitting_traits(traits), used, options.splitting);
     splitter.split(result, given, summary);
     summary.start = "splitting, " + std::to_string(summary.iterations) + " iterations";
     if(summary.status == Status::flips_remain && options.use_second_method) {
       const int iterations = summary.iterations;
       result = given;
-      const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
       Foldover_free<D, Traits>(domain, traits, used, options.foldover_free).remove_flips(result, summary);
       summary.start += ", then foldover-free energy, " + std::to_string(summary.iterations - iterations) + " steps";
     }
@@ -142,10 +156,7 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
       const Summary before = summary;
       Positions<D> polished = result;
       Map_minimizer<D, Traits> minimizer(domain, traits, used);
-      {
-        const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
-        minimizer.minimize(polished, summary);
-      }
+      minimizer.minimize(polished, summary);
       if(summary.is_valid())
         result = polished;
       else {

@@ -10,17 +10,16 @@
 
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/internal/Signed_svd.h>
+#include <CGAL/Flip_free_maps/internal/closest_rotation.h>
 #include <CGAL/Flip_free_maps/splitting/Proximal_map.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_errors.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
-#include <CGAL/Flip_free_maps/splitting/closest_rotation.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -102,10 +101,9 @@ public:
   }
 
   /// All steps of one element after the positions have been solved for: rotation, stretch, dual variable; on request also the penalty. The
-  /// errors are added to `errors`. While elements are flipped, `has_flips`, the constraint J = R P matters more than the energy: then the
-  /// movement of the Jacobian counts by the penalty itself, and not per measure, so that penalties rise almost everywhere.
-  void update(const Matrix& jacobian, double measure, bool adapt, bool has_flips, bool inert, Element& element,
-              Splitting_errors& errors) const
+  /// errors are added to `errors`. The penalty of a flipped element rises whatever its errors are: there J = R P matters more than the
+  /// energy.
+  void update(const Matrix& jacobian, double measure, bool adapt, bool inert, Element& element, Splitting_errors& errors) const
   {
     const double moved = (jacobian - element.jacobian).squaredNorm();
     element.jacobian = jacobian;
@@ -119,9 +117,10 @@ public:
     errors.dual += measure * dual;
     errors.primal_scale += measure * jacobian.squaredNorm();
     errors.dual_scale += measure * relative * relative * element.dual.squaredNorm();
-    errors.flips += !(jacobian.determinant() > 0);
+    const bool is_flipped = !(jacobian.determinant() > 0);
+    errors.flips += is_flipped;
     if(adapt)
-      errors.adapted += adapt_penalty(measure, std::sqrt(primal), std::sqrt(dual) * (has_flips ? measure : 1), inert, element);
+      errors.adapted += adapt_penalty(measure, std::sqrt(primal), is_flipped ? 0 : std::sqrt(dual), inert, element);
   }
 
   /// Raises or lowers the penalty so that the two errors become alike, but not below the bound under which the stretch is known to be
@@ -167,10 +166,7 @@ public:
   {
     if constexpr(D == 2)
       proximal_in_plane(Q, c, P);
-    else if constexpr(std::is_same<Energy, Symmetric_gradient>::value) {
-      if(!symmetric_gradient_in_space(Q, c, P))
-        proximal_by_eigenvectors(Q, c, P);
-    } else
+    else if(m_proximal_map.closed_form() != Closed_form::symmetric_gradient || !symmetric_gradient_in_space(Q, c, P))
       proximal_by_eigenvectors(Q, c, P);
   }
 

@@ -38,6 +38,13 @@ struct Has_proximal<Energy, D, std::void_t<decltype(std::declval<const Energy&>(
                                  std::declval<const Vector<D>&>(), 0.))>>
   : std::true_type {};
 
+// Whether an energy is chosen at run time.
+template <typename Energy, typename = void>
+struct Holds_energy : std::false_type {};
+
+template <typename Energy>
+struct Holds_energy<Energy, std::void_t<decltype(std::declval<const Energy&>().energy_name())>> : std::true_type {};
+
 // The positive root of a p^4 - q p^3 - k = 0 for a, k > 0. Newton's method decreases monotonically from an upper bound, since the
 // polynomial is increasing and convex above the root; it ends where rounding stops it.
 inline double positive_root(double a, double q, double k)
@@ -106,7 +113,7 @@ private:
     const double penalty = copy.penalty;
     element.jacobian = jacobian;
     step.start(jacobian, measure, yes, element);
-    step.update(jacobian, measure, yes, yes, yes, element, errors);
+    step.update(jacobian, measure, yes, yes, element, errors);
     const Matrix pull = Step::pull(copy);
     boost::ignore_unused_variable_warning(name);
     boost::ignore_unused_variable_warning(penalty);
@@ -116,11 +123,21 @@ private:
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
+/// The energies whose proximal maps have closed forms.
+enum class Closed_form
+{
+  none,               ///< another energy
+  symmetric_gradient, ///< the root of a quadratic equation
+  symmetric_dirichlet ///< the root of a quartic equation
+};
+
+/// \ingroup PkgFlipFreeMapsSplitting
 /// What the splitting needs to know of an energy psi beyond `DistortionEnergy`. It is written for f = psi / `scale()`, whose Hessian
 /// at the identity is about that of |J|^2, so that penalties mean the same for all energies.
 ///
 /// This general class takes any energy that is convex in the singular values: its proximal map is the energy's own `proximal()` if it
-/// is a model of `ProximalEnergy`, and found by a damped Newton's method otherwise; where psi is not convex, a stationary point.
+/// is a model of `ProximalEnergy`, and found by a damped Newton's method otherwise; where psi is not convex, a stationary point. An
+/// `Any_energy` that holds one of the energies with closed forms is treated as that energy.
 template <typename Energy, int D>
 class Proximal_map
 {
@@ -131,6 +148,14 @@ public:
   /// Keeps a copy of the energy.
   explicit Proximal_map(const Energy& energy = Energy()) : m_energy(energy)
   {
+    if constexpr(internal::Holds_energy<Energy>::value)
+      m_closed_form = m_energy.energy_name() == Symmetric_gradient::name()    ? Closed_form::symmetric_gradient
+                      : m_energy.energy_name() == Symmetric_dirichlet::name() ? Closed_form::symmetric_dirichlet
+                                                                              : Closed_form::none;
+    if(m_closed_form != Closed_form::none) {
+      m_scale = m_closed_form == Closed_form::symmetric_gradient ? Gradient::scale() : Dirichlet::scale();
+      return;
+    }
     Vector gradient;
     Matrix hessian;
     m_energy.template derivatives<D>(Vector::Ones(), gradient, hessian);
@@ -138,15 +163,20 @@ public:
     m_scale = mean > 0 && std::isfinite(mean) ? mean : 1;
   }
 
+  /// Which closed form is used.
+  Closed_form closed_form() const { return m_closed_form; }
+
   /// psi / f.
   double scale() const { return m_scale; }
 
   /// The least eigenvalue of a stretch in the beginning.
-  static double floor() { return std::sqrt(std::sqrt(std::numeric_limits<double>::epsilon())); }
+  double floor() const { return m_closed_form == Closed_form::symmetric_dirichlet ? Dirichlet::floor() : Gradient::floor(); }
 
   /// The positive p with the least c f(p) + 1/2 |p - q|^2; q in descending order.
   Vector proximal(const Vector& q, double c) const
   {
+    if(m_closed_form != Closed_form::none)
+      return m_closed_form == Closed_form::symmetric_gradient ? Gradient::proximal(q, c) : Dirichlet::proximal(q, c);
     if constexpr(internal::Has_proximal<Energy, D>::value)
       return m_energy.template proximal<D>(q, c / m_scale);
     else
@@ -156,6 +186,8 @@ public:
   /// |grad f(p)|^2
   double squared_gradient(const Vector& p) const
   {
+    if(m_closed_form != Closed_form::none)
+      return m_closed_form == Closed_form::symmetric_gradient ? Gradient::squared_gradient(p) : Dirichlet::squared_gradient(p);
     Vector gradient;
     Matrix hessian;
     m_energy.template derivatives<D>(p, gradient, hessian);
@@ -163,8 +195,11 @@ public:
   }
 
   /// A Lipschitz constant of grad f around p, from the squared norm of grad f(p).
-  double lipschitz(const Vector& p, double /* squared_gradient */) const
+  double lipschitz(const Vector& p, double squared_gradient) const
   {
+    if(m_closed_form != Closed_form::none)
+      return m_closed_form == Closed_form::symmetric_gradient ? Gradient::lipschitz(p, squared_gradient)
+                                                              : Dirichlet::lipschitz(p, squared_gradient);
     Vector gradient;
     Matrix hessian;
     m_energy.template derivatives<D>(p, gradient, hessian);
@@ -172,6 +207,9 @@ public:
   }
 
 private:
+  using Gradient = Proximal_map<Symmetric_gradient, D>;
+  using Dirichlet = Proximal_map<Symmetric_dirichlet, D>;
+
   Vector newton(const Vector& q, double c) const
   {
     const double smallest = std::numeric_limits<double>::epsilon();
@@ -214,6 +252,7 @@ private:
 
   Energy m_energy;
   double m_scale;
+  Closed_form m_closed_form = Closed_form::none;
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
@@ -227,6 +266,9 @@ class Proximal_map<Symmetric_gradient, D>
 public:
   /// The energy has no settings to keep.
   explicit Proximal_map(const Symmetric_gradient& = Symmetric_gradient()) {}
+
+  /// Which closed form is used.
+  static constexpr Closed_form closed_form() { return Closed_form::symmetric_gradient; }
 
   /// psi / f.
   static double scale() { return 1; }
@@ -269,6 +311,9 @@ class Proximal_map<Symmetric_dirichlet, D>
 public:
   /// The energy has no settings to keep.
   explicit Proximal_map(const Symmetric_dirichlet& = Symmetric_dirichlet()) {}
+
+  /// Which closed form is used.
+  static constexpr Closed_form closed_form() { return Closed_form::symmetric_dirichlet; }
 
   /// psi / f.
   static double scale() { return 1. / D; }

@@ -63,11 +63,16 @@ struct Splitting_options
   int first_adaptations = 5;
   /// then after this many more, and after intervals that double each time.
   int adaptation_interval = 5;
+  /// Intervals that begin with flipped elements do not double beyond this.
+  int largest_interval_with_flips = 20;
   /// Whether rotations are kept close to those of the iteration before.
   Proximal_rotation proximal_rotation = Proximal_rotation::automatic;
 
   /// Hand the map to `Map_minimizer` as soon as the splitting ends without flipped elements.
   bool polish = false;
+  /// A minimizer that runs again begins with the rotations, stretches, penalties and dual variables of its last run, and with its
+  /// factorization, if that led to a valid map: for fixed vertices that move a little between runs.
+  bool keep_factorization = false;
 
   /// Called before the first and after every iteration; returning `false` stops the run.
   std::function<bool(const Splitting_report&)> observer;
@@ -95,8 +100,8 @@ struct Splitting_options
       return fail("penalty_ratio must be finite and at least 1");
     if(first_adaptations < 0)
       return fail("first_adaptations must not be negative");
-    if(adaptation_interval < 1)
-      return fail("adaptation_interval must be at least 1");
+    if(adaptation_interval < 1 || largest_interval_with_flips < 1)
+      return fail("adaptation_interval and largest_interval_with_flips must be at least 1");
     return true;
   }
 };

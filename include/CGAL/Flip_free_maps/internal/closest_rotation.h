@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_CLOSEST_ROTATION_H
-#define CGAL_FLIP_FREE_MAPS_SPLITTING_CLOSEST_ROTATION_H
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_CLOSEST_ROTATION_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_CLOSEST_ROTATION_H
 
 #include <CGAL/Flip_free_maps/internal/Signed_svd.h>
 
@@ -89,4 +89,4 @@ inline void closest_rotation(const Matrix<3>& M, Matrix<3>& R)
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_SPLITTING_CLOSEST_ROTATION_H
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_CLOSEST_ROTATION_H

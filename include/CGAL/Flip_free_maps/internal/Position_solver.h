@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_POSITION_SOLVER_H
-#define CGAL_FLIP_FREE_MAPS_SPLITTING_POSITION_SOLVER_H
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_POSITION_SOLVER_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_POSITION_SOLVER_H
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
@@ -232,4 +232,4 @@ private:
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_SPLITTING_POSITION_SOLVER_H
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_POSITION_SOLVER_H

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_UNIFORM_EXTENSION_H
-#define CGAL_FLIP_FREE_MAPS_SPLITTING_UNIFORM_EXTENSION_H
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_UNIFORM_EXTENSION_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_UNIFORM_EXTENSION_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
@@ -84,4 +84,4 @@ bool uniform_extension(const Simplicial_domain<D>& domain, const std::vector<std
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_SPLITTING_UNIFORM_EXTENSION_H
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_UNIFORM_EXTENSION_H

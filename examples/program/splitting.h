@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// The method splitting, for the sub-commands that have it.
+
+#ifndef FLIP_FREE_MAPS_PROGRAM_SPLITTING_H
+#define FLIP_FREE_MAPS_PROGRAM_SPLITTING_H
+
+#include "common.h"
+
+#include <CGAL/Flip_free_maps/Splitting_map_traits.h>
+
+#include <algorithm>
+
+namespace program {
+
+// Limits and the observer are those of `traits.options`.
+inline FFM::Splitting_map_traits<FFM::Any_map_traits> splitting_traits(const Method_arguments& arguments, const FFM::Any_map_traits& traits)
+{
+  FFM::Splitting_options options;
+  options.polish = arguments.polish;
+  if(arguments.tolerance >= 0)
+    options.relative_tolerance = arguments.tolerance;
+  return FFM::Splitting_map_traits<FFM::Any_map_traits>(traits, options);
+}
+
+// The limits hold for each of the methods that remove flips; those of the polish are set by `set_options()`.
+template <typename RepairOptions>
+void set_limits(const Method_arguments& arguments, RepairOptions& options)
+{
+  options.splitting.max_iterations = (std::min)(options.splitting.max_iterations, arguments.max_iterations);
+  if(arguments.time_limit > 0)
+    options.splitting.max_seconds = options.foldover_free.max_seconds = arguments.time_limit;
+}
+
+} // namespace program
+
+#endif // FLIP_FREE_MAPS_PROGRAM_SPLITTING_H
