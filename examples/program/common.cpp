@@ -21,12 +21,14 @@
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -38,6 +40,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <new>
 #include <sstream>
@@ -280,6 +283,27 @@ std::vector<std::string> names(const Map& map)
 }
 
 } // namespace
+
+Mesh::Halfedge_index longest_border(const Mesh& mesh)
+{
+  std::vector<Mesh::Halfedge_index> borders;
+  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  Mesh::Halfedge_index longest = Mesh::null_halfedge();
+  double greatest = -1;
+  for(const Mesh::Halfedge_index border : borders) {
+    double length = 0;
+    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(border, mesh)) {
+      const Kernel::Point_3& p = mesh.point(mesh.source(h));
+      const Kernel::Point_3& q = mesh.point(mesh.target(h));
+      length += std::hypot(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
+    }
+    if(length > greatest) {
+      longest = border;
+      greatest = length;
+    }
+  }
+  return longest;
+}
 
 void add_method_options(CLI::App& command, Method_arguments& arguments)
 {

@@ -62,6 +62,9 @@ void read_triangles(const std::string& path, Triangles& triangles);
 // area, sheets that meet at a vertex or an edge, different orientations, polygons of more than three corners; `repairs` says what it did.
 void read_surface(const std::string& path, bool repair, Triangles& triangles, std::string& repairs);
 
+// A halfedge on the longest border, null on a closed surface. Lengths may be of any magnitude: squares of tiny ones vanish.
+Mesh::Halfedge_index longest_border(const Mesh& mesh);
+
 // The options of all sub-commands that minimise an energy.
 struct Method_arguments
 {

@@ -10,8 +10,6 @@
 #include <CGAL/Flip_free_maps/bijective.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
-
 #include <cmath>
 #include <sstream>
 #include <tuple>
@@ -21,8 +19,6 @@
 namespace program {
 
 namespace {
-
-namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Soft_position = std::tuple<Vertex, Kernel::Point_2, double>;
 
@@ -103,7 +99,7 @@ private:
     Triangles triangles;
     read_triangles(m_input, triangles);
     Mesh& mesh = triangles.mesh;
-    const Mesh::Halfedge_index border = PMP::longest_border(mesh).first;
+    const Mesh::Halfedge_index border = longest_border(mesh);
     if(border == Mesh::null_halfedge())
       throw Failure{Status::no_border, "the surface is closed; it must be cut open before it can be flattened"};
     UV_map uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;

@@ -9,8 +9,6 @@
 
 #include <CGAL/Flip_free_maps/repair_map.h>
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
-
 namespace program {
 
 namespace {
@@ -39,11 +37,10 @@ public:
 private:
   void repair(FFM::Summary& summary)
   {
-    namespace PMP = CGAL::Polygon_mesh_processing;
-    Triangles triangles;
+        Triangles triangles;
     read_triangles(m_input, triangles);
     Mesh& mesh = triangles.mesh;
-    const Mesh::Halfedge_index border = PMP::longest_border(mesh).first;
+    const Mesh::Halfedge_index border = longest_border(mesh);
     if(border == Mesh::null_halfedge())
       throw Failure{Status::no_border, "the surface is closed"};
     UV_map uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
