@@ -79,6 +79,7 @@ public:
   /// The seams.
   const std::vector<Seam>& seams() const { return m_seams; }
 
+  /// The vertices of each edge and its seam's (a, b).
   std::vector<std::vector<std::int32_t>> stencils() const override
   {
     std::vector<std::vector<std::int32_t>> all;
@@ -93,6 +94,7 @@ public:
     return all;
   }
 
+  /// Its value.
   double value(const Positions<2>& x) const override
   {
     double sum = 0;
@@ -104,6 +106,7 @@ public:
     return 0.5 * sum;
   }
 
+  /// Its derivatives; the matrix is that of Gauss and Newton.
   void add_derivatives(const Positions<2>& x, Positions<2>& gradient, Term_matrix<2>* matrix) const override
   {
     using internal::Matrix;
