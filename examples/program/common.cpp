@@ -261,6 +261,7 @@ const std::map<std::string, FFM::Any_preconditioner>& preconditioners()
     {"default", FFM::Any_preconditioner()},
     {"laplacian", FFM::Any_preconditioner(FFM::Laplacian())},
     {"killing", FFM::Any_preconditioner(FFM::Killing())},
+    {"stiff-killing", FFM::Any_preconditioner(FFM::Killing{FFM::Killing_weight::stiffness})},
     {"slim", FFM::Any_preconditioner(FFM::Slim())},
     {"cm", FFM::Any_preconditioner(FFM::Composite_majorization<>())},
     {"cm-ungathered", FFM::Any_preconditioner(FFM::Composite_majorization<false>())},

@@ -78,6 +78,7 @@ void check_all(const Energy& energy)
   check_positive_semidefinite<D>(energy, FFM::Slim());
   check_positive_semidefinite<D>(energy, FFM::Slim_newton());
   check_positive_semidefinite<D>(energy, FFM::Killing());
+  check_positive_semidefinite<D>(energy, FFM::Killing{FFM::Killing_weight::stiffness});
   check_positive_semidefinite<D>(energy, FFM::Laplacian());
 }
 
@@ -124,6 +125,28 @@ void check_hessian(const Energy& energy)
   }
 }
 
+// The Killing operator, scaled until no element is stiffer against stretching than the form says, and not more.
+template <int D, typename Energy>
+void check_stiff_killing(const Energy& energy)
+{
+  int scaled = 0;
+  for(const Vector<D>& s : samples<D>(1)) {
+    const FFM::Element_state<D> state = state_at<D>(s, energy);
+    FFM::Increment_form<D> plain, stiff;
+    FFM::Killing().form(state, energy, plain);
+    FFM::Killing{FFM::Killing_weight::stiffness}.form(state, energy, stiff);
+    const double factor = stiff.stretch(0, 0) / plain.stretch(0, 0);
+    BOOST_TEST((frame_matrix<D>(FFM::Killing{FFM::Killing_weight::stiffness}, energy, s) -
+                factor * frame_matrix<D>(FFM::Killing(), energy, s)).norm() <= 1e-12 * factor * plain.stretch.norm());
+    double largest = 0;
+    for(int i = 0; i < D; ++i)
+      largest = (std::max)(largest, state.hessian(i, i) / plain.stretch(i, i));
+    BOOST_TEST(factor == (std::max)(1., largest), boost::test_tools::tolerance(1e-12));
+    scaled += factor > 1;
+  }
+  BOOST_TEST(scaled > 0);
+}
+
 template <typename Energy>
 void check_majorization()
 {
@@ -142,6 +165,13 @@ BOOST_AUTO_TEST_CASE(all_are_positive_semidefinite)
       check_all<3>(energy);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(killing_by_stiffness)
+{
+  check_stiff_killing<2>(FFM::Any_energy(FFM::Exponential_symmetric_dirichlet()));
+  check_stiff_killing<3>(FFM::Any_energy(FFM::Exponential_symmetric_dirichlet()));
+  check_stiff_killing<2>(FFM::Any_energy(FFM::Symmetric_dirichlet()));
 }
 
 BOOST_AUTO_TEST_CASE(hessians_of_all_energies)

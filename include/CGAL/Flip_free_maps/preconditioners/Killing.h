@@ -10,6 +10,8 @@
 
 #include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Flip_free_maps {
 
@@ -18,7 +20,9 @@ namespace Flip_free_maps {
 enum class Killing_weight
 {
   rest_measure, ///< the element of the rest shape (Claici et al., section 4.2.1: "we integrate over the 3D surface")
-  image_measure ///< the element of the current image: the Killing operator proper, equations (5) and (10)
+  image_measure, ///< the element of the current image: the Killing operator proper, equations (5) and (10)
+  stiffness ///< that of the rest shape, times how much stiffer against stretching the energy is there than at an isometry, if it is stiffer.
+            ///< For steep energies, such as exponential ones; for others the paper's weights need fewer iterations
 };
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
@@ -43,6 +47,8 @@ struct Killing
     double c = 0.5 * internal::curvature_at_identity<D>(energy);
     if(weight == Killing_weight::image_measure)
       c *= state.s.prod();
+    else if(weight == Killing_weight::stiffness)
+      c = (std::max)(c, 0.5 * (state.hessian.diagonal().array() * state.s.array().square()).maxCoeff());
     form.stretch.setZero();
     form.stretch.diagonal() = 2 * c * state.s.array().square().inverse();
     internal::for_each_pair<D>([&](int p, int i, int j) {
