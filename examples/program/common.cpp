@@ -552,7 +552,7 @@ void write_pictures(const Picture_arguments& arguments, const std::string& title
   FFM::Layout_picture_options options;
   options.title = title;
   options.width = arguments.width;
-  options.distortion_label = "symmetric Dirichlet energy";
+  options.distortion_label = "symmetric Dirichlet";
   std::string message;
   if(!arguments.svg.empty())
     check(FFM::write_layout_SVG(arguments.svg, layout.texture, layout.texture_triangles, distortion, options, &message), message);

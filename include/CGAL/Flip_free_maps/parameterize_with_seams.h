@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_PARAMETERIZE_WITH_SEAMS_H
 
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/adapt_method.h>
 #include <CGAL/Flip_free_maps/internal/make_start.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
@@ -46,31 +47,36 @@ Seam_summary parameterize_with_seams(const SeamMesh& mesh, typename boost::graph
                                      VertexUVMap uv_map, const Seam_options& options = Seam_options(), const Traits& traits = Traits())
 {
   Seam_summary summary;
-  try {
+  double seconds = 0, cpu_seconds = 0;
+  const auto run = [&] {
+    const internal::Phase_timer total(seconds, &cpu_seconds);
     Face_graph_domain<SeamMesh> graph;
     summary.status = graph.load(mesh, border_halfedge, get(CGAL::vertex_point, mesh), summary.message);
     if(summary.status != Status::success)
-      return summary;
+      return;
     const Simplicial_domain<2>& domain = graph.domain();
-    summary.vertices = domain.number_of_vertices;
-    summary.elements = domain.number_of_elements();
     Traits used = traits;
     internal::adapt_method(domain, used);
     Positions<2> x;
     summary.status = internal::make_start(domain, used, x, summary.start, summary.message);
     if(summary.status != Status::success)
-      return summary;
+      return;
     const std::string start = summary.start;
     summary = meet_seam_constraints(domain, x, find_seams(mesh, graph, options.cone_curvature), options, used);
     summary.start = start;
     if(!summary.is_valid())
-      return summary;
+      return;
     x *= domain.scale;
     internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
+  };
+  try {
+    run();
   } catch(const std::bad_alloc&) {
     summary.status = Status::out_of_memory;
     summary.message = "memory was exhausted";
   }
+  summary.seconds.total = seconds;
+  summary.cpu_seconds = cpu_seconds;
   return summary;
 }
 
