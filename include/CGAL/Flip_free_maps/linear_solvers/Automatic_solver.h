@@ -19,8 +19,8 @@ namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
 /// A direct solver, or conjugate gradients where these are better: when the factor exceeds a budget of memory, and, for solids, when a factorization
-/// needs more than 30000 operations per entry of the matrix, which is so from some 100000 tetrahedra on (a bar of 40000 tetrahedra is
-/// twisted in half the time by conjugate gradients). The size of the factor and the operations are known
+/// needs more than 30000 operations per entry of the matrix, which compact solids reach at some 50000 tetrahedra and long
+/// ones later. The size of the factor and the operations are known
 /// after the analysis of the pattern, before memory is taken. When conjugate gradients do not converge, the direct solver takes over from the next
 /// matrix on, if its factor fits.
 ///
