@@ -41,8 +41,8 @@ struct Every_iteration
 /// \cgalModels{RefactorizationRule}
 struct On_demand
 {
-  int largest_age = 15;            ///< steps per factorization
-  double shortest_step = 0.1;      ///< a shorter last step asks for a restart
+  int largest_age = 30;            ///< steps per factorization
+  double shortest_step = 0.01;     ///< a shorter last step asks for a restart
   double largest_decrease = 0.03;  ///< so does a greater relative decrease of the energy
 
   /// What to do now, see `Every_iteration`.

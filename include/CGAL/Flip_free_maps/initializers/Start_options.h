@@ -44,7 +44,7 @@ struct Start_options
   std::vector<std::array<double, 2>> polygon;      ///< corners of a convex polygon, for `Border_shape::polygon`
   Tutte_weights weights = Tutte_weights::uniform;  ///< weights to begin with
   /// From this number of faces on, the start is found from coarse to fine; below, or when negative, by a Tutte embedding.
-  std::int64_t multilevel_size = 5000;
+  std::int64_t multilevel_size = 1000;
   std::int64_t coarsest_size = 800;                ///< faces of the simplest surface
   double level_ratio = 3;                          ///< the map is optimised when the number of faces has grown by this factor
   double level_tolerance = 1e-3;                   ///< relative decrease of the energy at which such an optimisation ends

@@ -206,6 +206,16 @@ private:
   static constexpr Limits LIMITS[SEVERITIES] = {{0.5, 0.2}, {0.2, 0.05}, {-0.5, 0.005}, {-2, 1e-6}};
   static constexpr std::size_t LARGEST_VALENCE = 24;
 
+  // A triangle (v, a, b).
+  struct Corner
+  {
+    std::int32_t number_a, number_b;
+    Vector<3> a, b;
+    Vector<3> normal; // as long as twice the area
+    double normal_length;
+    double squared_side; // opposite of v
+  };
+
   struct Collapse
   {
     double cost;
@@ -264,46 +274,69 @@ private:
 
   Collapse cheapest_collapse(std::int32_t v, const Limits& limits)
   {
+    load_corners(v);
     Collapse best{std::numeric_limits<double>::infinity(), v, -1};
-    for(std::int32_t t : m_stars[v])
-      for(std::int32_t w : m_triangles[t]) {
-        // Inner edges are met twice, which costs less than remembering them.
-        if(w == v || w == best.w)
-          continue;
-        const double cost = collapse_cost(v, w, limits);
-        if(cost < best.cost && is_possible(v, w)) {
-          best.cost = cost;
-          best.w = w;
-        }
+    const auto consider = [&](std::int32_t w) {
+      const double cost = collapse_cost(v, w, limits, best.cost);
+      if(cost < best.cost && is_possible(v, w)) {
+        best.cost = cost;
+        best.w = w;
       }
+    };
+    if(is_on_border(v)) {
+      consider(m_next[v]);
+      consider(m_previous[v]);
+    } else {
+      for(const Corner& corner : m_corners)
+        consider(corner.number_a);
+    }
     return best;
   }
 
+  // Copies the triangles around v to where all candidates of a collapse find them.
+  void load_corners(std::int32_t v)
+  {
+    m_corners.clear();
+    const Vector<3> p = m_points.col(v);
+    for(std::int32_t t : m_stars[v]) {
+      const Triangle& triangle = m_triangles[t];
+      const int k = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
+      Corner corner;
+      corner.number_a = triangle[(k + 1) % 3];
+      corner.number_b = triangle[(k + 2) % 3];
+      corner.a = m_points.col(corner.number_a);
+      corner.b = m_points.col(corner.number_b);
+      corner.normal = (corner.a - p).cross(corner.b - p);
+      corner.normal_length = corner.normal.norm();
+      corner.squared_side = (corner.b - corner.a).squaredNorm();
+      m_corners.push_back(corner);
+    }
+  }
+
   // How much the surface changes: squared distances of v to the new triangles, weighted by their areas, and a little of the edge's
-  // length so that flat parts thin out evenly. Infinite beyond the limits.
-  double collapse_cost(std::int32_t v, std::int32_t w, const Limits& limits) const
+  // length so that flat parts thin out evenly. Infinite beyond the limits, and where it is found to exceed `bound`.
+  double collapse_cost(std::int32_t v, std::int32_t w, const Limits& limits, double bound) const
   {
     const double infinity = std::numeric_limits<double>::infinity();
     const Vector<3> p = m_points.col(v), q = m_points.col(w);
     const double length = (q - p).squaredNorm();
     double cost = 0, area = 0;
-    for(std::int32_t t : m_stars[v]) {
-      const Triangle& triangle = m_triangles[t];
-      const int k = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
-      const std::int32_t a = triangle[(k + 1) % 3], b = triangle[(k + 2) % 3];
-      if(a == w || b == w)
+    for(const Corner& corner : m_corners) {
+      if(corner.number_a == w || corner.number_b == w)
         continue;
-      const Vector<3> x = m_points.col(a), y = m_points.col(b);
-      const Vector<3> before = (x - p).cross(y - p), after = (x - q).cross(y - q);
-      const double after_norm = after.norm();
-      const double longest = (std::max)({(x - q).squaredNorm(), (y - q).squaredNorm(), (y - x).squaredNorm()});
-      if(!(after_norm >= limits.least_quality * longest) || !(before.dot(after) >= limits.least_cosine * before.norm() * after_norm))
+      const Vector<3> x = corner.a - q, y = corner.b - q, after = x.cross(y);
+      const double after_length = after.norm();
+      const double longest = (std::max)({x.squaredNorm(), y.squaredNorm(), corner.squared_side});
+      if(!(after_length >= limits.least_quality * longest) ||
+         !(corner.normal.dot(after) >= limits.least_cosine * corner.normal_length * after_length))
         return infinity;
-      const double distance = after.dot(p - x) / after_norm;
-      cost += after_norm * distance * distance;
-      area += after_norm;
+      const double distance = after.dot(p - corner.a) / after_length;
+      cost += after_length * distance * distance;
+      area += after_length;
+      if(cost > bound)
+        return infinity;
     }
-    if(is_on_border(v) && (w == m_next[v] || w == m_previous[v])) {
+    if(is_on_border(v)) {
       const std::int32_t u = w == m_next[v] ? m_previous[v] : m_next[v];
       const Vector<3> side = m_points.col(u) - q, offset = p - q;
       const double along = side.squaredNorm() > 0 ? offset.dot(side) / side.squaredNorm() : 0;
@@ -350,6 +383,7 @@ private:
   std::int64_t m_number_of_triangles;
   std::vector<std::size_t> m_loop_sizes;
   std::vector<std::vector<std::int32_t>> m_passes;
+  std::vector<Corner> m_corners;
   std::vector<std::int32_t> m_marks;
   std::int32_t m_mark = 1;
 };

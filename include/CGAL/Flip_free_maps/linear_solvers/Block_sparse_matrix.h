@@ -124,6 +124,27 @@ public:
     }
   }
 
+  /// Reads what `add_block()` adds to; for v = w only the lower triangle of `block` is written.
+  template <typename Block>
+  void get_block(std::int32_t v, std::int32_t w, std::int32_t slot, Block& block) const
+  {
+    const int b = m_block_size;
+    if(v == w) {
+      for(int j = 0; j < b; ++j) {
+        const double* column = m_values.data() + m_columns[std::size_t(w) * b + j];
+        for(int i = j; i < b; ++i)
+          block(i, j) = column[i - j];
+      }
+      return;
+    }
+    const std::size_t low = v < w ? v : w;
+    for(int j = 0; j < b; ++j) {
+      const double* column = m_values.data() + m_columns[low * b + j] + (b - j) + (slot - 1) * b;
+      for(int i = 0; i < b; ++i)
+        (w < v ? block(i, j) : block(j, i)) = column[i];
+    }
+  }
+
   /// Sets all entries to zero.
   void set_zero() { std::fill(m_values.begin(), m_values.end(), 0.); }
 

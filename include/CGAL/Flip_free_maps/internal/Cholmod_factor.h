@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_CHOLMOD_FACTOR_H
+#define CGAL_FLIP_FREE_MAPS_INTERNAL_CHOLMOD_FACTOR_H
+
+#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+
+#include <cholmod.h>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <dlfcn.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+  // CHOLMOD starts threads of OpenMP for small loops inside a factorization, and OpenBLAS threads of its own for small products: on
+  // large meshes, waiting for them costs more than they bring, and sums of BLAS would depend on their number. Both libraries are
+  // looked up at run time, because which ones serve CHOLMOD is only known then.
+  class Single_thread
+  {
+  public:
+    Single_thread()
+    {
+      for(std::size_t i = 0; i < settings().size(); ++i)
+        m_before[i] = settings()[i].exchange(settings()[i].single);
+    }
+    ~Single_thread()
+    {
+      for(std::size_t i = 0; i < settings().size(); ++i)
+        settings()[i].exchange(m_before[i]);
+    }
+    Single_thread(const Single_thread&) = delete;
+    Single_thread& operator=(const Single_thread&) = delete;
+
+  private:
+    // A number that some library keeps for the process.
+    struct Setting
+    {
+      int single;
+      void (*set)(int) = nullptr;
+      int (*get)() = nullptr;
+
+      Setting(const char* setter, const char* getter, int value) : single(value)
+      {
+#if defined(__unix__) || defined(__APPLE__)
+        set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, setter));
+        get = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, getter));
+#else
+        static_cast<void>(setter);
+        static_cast<void>(getter);
+#endif
+      }
+
+      // Sets the value; the result is the one before.
+      int exchange(int value) const
+      {
+        if(set == nullptr || get == nullptr)
+          return value;
+        const int before = get();
+        if(before != value)
+          set(value);
+        return before;
+      }
+    };
+    static const std::array<Setting, 2>& settings()
+    {
+      static const std::array<Setting, 2> found = {
+        {{"openblas_set_num_threads", "openblas_get_num_threads", 1}, {"omp_set_max_active_levels", "omp_get_max_active_levels", 0}}};
+      return found;
+    }
+    std::array<int, 2> m_before;
+  };
+
+// A function of the BLAS that serves CHOLMOD, null where it cannot be found.
+template <typename Function>
+Function* blas_function(const char* name)
+{
+#if defined(__unix__) || defined(__APPLE__)
+  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+#else
+  static_cast<void>(name);
+  return nullptr;
+#endif
+}
+
+// A lower triangle by columns as CHOLMOD sees it, without a copy; a pattern only when there are no values.
+inline cholmod_sparse cholmod_view(std::int64_t n, const std::vector<Block_sparse_matrix::Index>& columns,
+                                   const std::vector<Block_sparse_matrix::Index>& rows, const double* values)
+{
+  static_assert(sizeof(SuiteSparse_long) == sizeof(Block_sparse_matrix::Index), "CHOLMOD's long indices must have 64 bits");
+  cholmod_sparse matrix = {};
+  matrix.nrow = matrix.ncol = n;
+  matrix.nzmax = rows.size();
+  matrix.p = const_cast<Block_sparse_matrix::Index*>(columns.data());
+  matrix.i = const_cast<Block_sparse_matrix::Index*>(rows.data());
+  matrix.x = const_cast<double*>(values);
+  matrix.stype = -1;
+  matrix.itype = CHOLMOD_LONG;
+  matrix.xtype = values != nullptr ? CHOLMOD_REAL : CHOLMOD_PATTERN;
+  matrix.dtype = CHOLMOD_DOUBLE;
+  matrix.sorted = 1;
+  matrix.packed = 1;
+  return matrix;
+}
+
+inline cholmod_sparse cholmod_view(const Block_sparse_matrix& matrix)
+{
+  return cholmod_view(matrix.rows(), matrix.column_starts(), matrix.row_indices(), matrix.values().data());
+}
+
+// A Cholesky factor L L^T with everything that belongs to it.
+class Cholmod_factor
+{
+public:
+  Cholmod_factor()
+  {
+    cholmod_l_start(&m_common);
+    m_common.print = 0;
+    m_common.quick_return_if_not_posdef = 1;
+    // An LDL^T factorization, the other choice of the simplicial kernel, would accept indefinite matrices.
+    m_common.final_ll = 1;
+    m_common.error_handler = nullptr;
+  }
+
+  ~Cholmod_factor()
+  {
+    clear();
+    cholmod_l_finish(&m_common);
+  }
+
+  Cholmod_factor(const Cholmod_factor&) = delete;
+  Cholmod_factor& operator=(const Cholmod_factor&) = delete;
+
+  void clear()
+  {
+    if(m_factor != nullptr)
+      cholmod_l_free_factor(&m_factor, &m_common);
+    if(m_solution != nullptr)
+      cholmod_l_free_dense(&m_solution, &m_common);
+    if(m_work_y != nullptr)
+      cholmod_l_free_dense(&m_work_y, &m_common);
+    if(m_work_e != nullptr)
+      cholmod_l_free_dense(&m_work_e, &m_common);
+    m_is_factorized = false;
+  }
+
+  // One of CHOLMOD's orderings on a graph, and what it costs. The scalar pattern of the graph is only a means to this end; building
+  // supernodes for it would be wasted.
+  bool order(cholmod_sparse graph, int ordering)
+  {
+    m_common.supernodal = CHOLMOD_SIMPLICIAL;
+    const bool found = analyze(graph, ordering, nullptr, true);
+    m_common.supernodal = CHOLMOD_AUTO;
+    return found;
+  }
+
+  // The pattern of the factor in a given order, or, without one, in the matrix' own.
+  bool analyze_in_order(cholmod_sparse matrix, const std::vector<SuiteSparse_long>* order)
+  {
+    return order != nullptr ? analyze(matrix, CHOLMOD_GIVEN, const_cast<SuiteSparse_long*>(order->data()), true)
+                            : analyze(matrix, CHOLMOD_NATURAL, nullptr, false);
+  }
+
+  bool is_analyzed() const { return m_factor != nullptr; }
+  bool is_factorized() const { return m_is_factorized; }
+  bool is_supernodal() const { return m_factor != nullptr && m_factor->is_super; }
+  double operations() const { return m_operations; }
+  double entries() const { return m_entries; }
+  // After the analysis: row k of the permuted matrix is row order()[k] of the given one.
+  const SuiteSparse_long* order() const { return static_cast<const SuiteSparse_long*>(m_factor->Perm); }
+  // Entries of each column of the factor, after `order()` was computed.
+  const SuiteSparse_long* column_counts() const { return static_cast<const SuiteSparse_long*>(m_factor->ColCount); }
+
+  // `false` when the matrix is not positive definite or memory is exhausted.
+  bool factorize(cholmod_sparse matrix)
+  {
+    m_is_factorized = false;
+    if(m_factor == nullptr)
+      return false;
+    cholmod_l_factorize(&matrix, m_factor, &m_common);
+    // A NaN in the matrix is no error to CHOLMOD, but leaves no condition number.
+    m_is_factorized = m_common.status == CHOLMOD_OK && m_factor->minor == m_factor->n && cholmod_l_rcond(m_factor, &m_common) > 0;
+    return m_is_factorized;
+  }
+
+  // Solves with the matrix (CHOLMOD_A), or with the factor (CHOLMOD_L) or its transpose (CHOLMOD_Lt) in the permuted order.
+  bool solve(int system, const Eigen::VectorXd& b, Eigen::VectorXd& x)
+  {
+    if(!m_is_factorized)
+      return false;
+    cholmod_dense right = {};
+    right.nrow = right.nzmax = right.d = b.size();
+    right.ncol = 1;
+    right.x = const_cast<double*>(b.data());
+    right.xtype = CHOLMOD_REAL;
+    right.dtype = CHOLMOD_DOUBLE;
+    if(!cholmod_l_solve2(system, m_factor, &right, nullptr, &m_solution, nullptr, &m_work_y, &m_work_e, &m_common))
+      return false;
+    x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(m_solution->x), b.size());
+    return true;
+  }
+
+  // The last rows and columns of the factor from `first` on, the upper triangle zero.
+  void last_block(std::int64_t first, Eigen::MatrixXd& block) const
+  {
+    const std::int64_t n = m_factor->n;
+    block.setZero(n - first, n - first);
+    const double* values = static_cast<const double*>(m_factor->x);
+    if(!m_factor->is_super) {
+      const SuiteSparse_long *columns = static_cast<const SuiteSparse_long*>(m_factor->p),
+                             *rows = static_cast<const SuiteSparse_long*>(m_factor->i),
+                             *counts = static_cast<const SuiteSparse_long*>(m_factor->nz);
+      for(std::int64_t j = first; j < n; ++j)
+        for(std::int64_t k = columns[j]; k < columns[j] + counts[j]; ++k)
+          block(rows[k] - first, j - first) = values[k];
+      return;
+    }
+    const SuiteSparse_long *super = static_cast<const SuiteSparse_long*>(m_factor->super),
+                           *rows = static_cast<const SuiteSparse_long*>(m_factor->s),
+                           *row_starts = static_cast<const SuiteSparse_long*>(m_factor->pi),
+                           *value_starts = static_cast<const SuiteSparse_long*>(m_factor->px);
+    for(std::size_t s = m_factor->nsuper; s-- > 0 && super[s + 1] > first;) {
+      const std::int64_t number_of_rows = row_starts[s + 1] - row_starts[s];
+      for(std::int64_t j = (std::max)(std::int64_t(super[s]), first); j < super[s + 1]; ++j)
+        for(std::int64_t k = j - super[s]; k < number_of_rows; ++k)
+          block(rows[row_starts[s] + k] - first, j - first) = values[value_starts[s] + (j - super[s]) * number_of_rows + k];
+    }
+  }
+
+private:
+  bool analyze(cholmod_sparse& matrix, int ordering, SuiteSparse_long* order, bool postorder)
+  {
+    clear();
+    m_common.nmethods = 1;
+    m_common.method[0].ordering = ordering;
+    m_common.postorder = postorder;
+    m_factor = order != nullptr ? cholmod_l_analyze_p(&matrix, order, nullptr, 0, &m_common) : cholmod_l_analyze(&matrix, &m_common);
+    m_operations = m_common.fl;
+    m_entries = m_common.lnz;
+    return m_factor != nullptr;
+  }
+
+  cholmod_common m_common;
+  cholmod_factor* m_factor = nullptr;
+  cholmod_dense* m_solution = nullptr;
+  cholmod_dense* m_work_y = nullptr;
+  cholmod_dense* m_work_e = nullptr;
+  double m_operations = 0;
+  double m_entries = 0;
+  bool m_is_factorized = false;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INTERNAL_CHOLMOD_FACTOR_H
