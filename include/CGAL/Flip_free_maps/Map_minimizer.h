@@ -100,6 +100,24 @@ public:
   /// The settings; they may be changed between runs.
   Map_options& options() { return m_traits.options; }
 
+  /// Analyses the pattern of the matrix, which the first run does otherwise. It needs no map, so it can be done at the same time as a
+  /// start is made.
+  ///
+  /// \param summary times are added to it
+  /// \returns whether the linear solver succeeded
+  bool analyze(Summary& summary)
+  {
+    if(m_is_analyzed)
+      return true;
+    {
+      const internal::Phase_timer timer(summary.seconds.assemble);
+      m_objective.build_pattern();
+    }
+    m_solver.set_summary(summary);
+    m_is_analyzed = m_objective.number_of_unknowns() == 0 || m_solver.analyze_pattern(m_objective.matrix());
+    return m_is_analyzed;
+  }
+
   /// Minimises, beginning at the positions `x`, in the domain's units of length.
   ///
   /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged
@@ -143,7 +161,7 @@ public:
         finish(summary, Status::invalid_option, "the targets must have a column for each vertex");
         return;
       }
-      if(begin(run) && drag(run, targets))
+      if(begin(run) && analyze_or_fail(summary) && drag(run, targets))
         iterate(run);
     });
   }
@@ -245,17 +263,6 @@ private:
     }
     summary.energy_initial = summary.energy = run.progress.rest_energy;
     summary.energy_of_terms = m_objective.energy_of_terms(run.x);
-    if(!m_is_analyzed) {
-      {
-        const internal::Phase_timer timer(summary.seconds.assemble);
-        m_objective.build_pattern();
-      }
-      if(m_objective.number_of_unknowns() > 0 && !m_solver.analyze_pattern(m_objective.matrix())) {
-        finish(summary, Status::linear_solver_failed, "the linear solver could not analyse the pattern of the matrix");
-        return false;
-      }
-      m_is_analyzed = true;
-    }
     run.characteristic_gradient = internal::characteristic_gradient(m_domain, m_traits.energy);
     run.energy_of_isometry = m_traits.energy.template value<D>(internal::Vector<D>::Ones());
     m_is_factorized = m_is_factorized && run.options.keep_factorization;
@@ -266,6 +273,14 @@ private:
     }
     m_traits.acceleration.reset();
     return true;
+  }
+
+  bool analyze_or_fail(Summary& summary)
+  {
+    if(analyze(summary))
+      return true;
+    finish(summary, Status::linear_solver_failed, "the linear solver could not analyse the pattern of the matrix");
+    return false;
   }
 
   // Energies at x after x or the reference changed.
@@ -308,9 +323,15 @@ private:
     if(m_is_factorized && !internal::is_constant(m_traits.preconditioner) && m_age > 0)
       refactorization = m_traits.refactorization_rule(m_age, progress.step, progress.relative_decrease);
     const bool with_matrix = refactorization != Refactorization::none;
-    differentiate(run, with_matrix);
+    // A start may be the solution already; then no pattern is needed.
+    differentiate(run, with_matrix && m_is_analyzed);
     if(run.retries == 0 && has_ended(run))
       return false;
+    if(!m_is_analyzed) {
+      if(!analyze_or_fail(summary))
+        return false;
+      differentiate(run, with_matrix);
+    }
 
     if(with_matrix && !factorize(run)) {
       finish(summary, Status::linear_solver_failed, "no factorization succeeded, not even of a strongly shifted matrix");

@@ -10,6 +10,8 @@
 
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 
+#include <Eigen/Core>
+
 #include <cholmod.h>
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -196,20 +198,57 @@ public:
     return m_is_factorized;
   }
 
-  // Solves with the matrix (CHOLMOD_A), or with the factor (CHOLMOD_L) or its transpose (CHOLMOD_Lt) in the permuted order.
-  bool solve(int system, const Eigen::VectorXd& b, Eigen::VectorXd& x)
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
     if(!m_is_factorized)
       return false;
-    cholmod_dense right = {};
-    right.nrow = right.nzmax = right.d = b.size();
-    right.ncol = 1;
-    right.x = const_cast<double*>(b.data());
-    right.xtype = CHOLMOD_REAL;
-    right.dtype = CHOLMOD_DOUBLE;
-    if(!cholmod_l_solve2(system, m_factor, &right, nullptr, &m_solution, nullptr, &m_work_y, &m_work_e, &m_common))
+    const std::int64_t n = m_factor->n;
+    m_permuted.resize(n);
+    for(std::int64_t k = 0; k < n; ++k)
+      m_permuted[k] = b[order()[k]];
+    if(!solve_lower(m_permuted) || !solve_upper(m_permuted))
       return false;
-    x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(m_solution->x), b.size());
+    x.resize(n);
+    for(std::int64_t k = 0; k < n; ++k)
+      x[order()[k]] = m_permuted[k];
+    return true;
+  }
+
+  // Solves with L, in place and in the permuted order. CHOLMOD's own solution calls the BLAS for every supernode; most are so small that the
+  // calls take longer than the arithmetic.
+  bool solve_lower(Eigen::VectorXd& x)
+  {
+    if(!m_is_factorized || !m_factor->is_super)
+      return solve_simplicial(CHOLMOD_L, x);
+    for(std::size_t s = 0; s < m_factor->nsuper; ++s) {
+      const Supernode node = supernode(s);
+      auto y = x.segment(node.first, node.columns);
+      node.diagonal_block().triangularView<Eigen::Lower>().solveInPlace(y);
+      if(node.rows == node.columns)
+        continue;
+      m_gathered.noalias() = node.lower_block() * y;
+      for(std::int64_t i = node.columns; i < node.rows; ++i)
+        x[node.row_indices[i]] -= m_gathered[i - node.columns];
+    }
+    return true;
+  }
+
+  // The same with L^T.
+  bool solve_upper(Eigen::VectorXd& x)
+  {
+    if(!m_is_factorized || !m_factor->is_super)
+      return solve_simplicial(CHOLMOD_Lt, x);
+    for(std::size_t s = m_factor->nsuper; s-- > 0;) {
+      const Supernode node = supernode(s);
+      auto y = x.segment(node.first, node.columns);
+      if(node.rows > node.columns) {
+        m_gathered.resize(node.rows - node.columns);
+        for(std::int64_t i = node.columns; i < node.rows; ++i)
+          m_gathered[i - node.columns] = x[node.row_indices[i]];
+        y.noalias() -= node.lower_block().transpose() * m_gathered;
+      }
+      node.diagonal_block().transpose().triangularView<Eigen::Upper>().solveInPlace(y);
+    }
     return true;
   }
 
@@ -228,19 +267,58 @@ public:
           block(rows[k] - first, j - first) = values[k];
       return;
     }
-    const SuiteSparse_long *super = static_cast<const SuiteSparse_long*>(m_factor->super),
-                           *rows = static_cast<const SuiteSparse_long*>(m_factor->s),
-                           *row_starts = static_cast<const SuiteSparse_long*>(m_factor->pi),
-                           *value_starts = static_cast<const SuiteSparse_long*>(m_factor->px);
-    for(std::size_t s = m_factor->nsuper; s-- > 0 && super[s + 1] > first;) {
-      const std::int64_t number_of_rows = row_starts[s + 1] - row_starts[s];
-      for(std::int64_t j = (std::max)(std::int64_t(super[s]), first); j < super[s + 1]; ++j)
-        for(std::int64_t k = j - super[s]; k < number_of_rows; ++k)
-          block(rows[row_starts[s] + k] - first, j - first) = values[value_starts[s] + (j - super[s]) * number_of_rows + k];
+    for(std::size_t s = m_factor->nsuper; s-- > 0;) {
+      const Supernode node = supernode(s);
+      if(node.first + node.columns <= first)
+        break;
+      for(std::int64_t j = (std::max)(node.first, first); j < node.first + node.columns; ++j)
+        for(std::int64_t i = j - node.first; i < node.rows; ++i)
+          block(node.row_indices[i] - first, j - first) = node.values[(j - node.first) * node.rows + i];
     }
   }
 
 private:
+  // Columns of the factor with the same rows, stored as one dense matrix; its upper triangle is not to be read.
+  struct Supernode
+  {
+    using Block = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+    std::int64_t first, columns, rows;
+    const SuiteSparse_long* row_indices;
+    const double* values;
+
+    Block diagonal_block() const { return Block(values, columns, columns, Eigen::OuterStride<>(rows)); }
+    Block lower_block() const { return Block(values + columns, rows - columns, columns, Eigen::OuterStride<>(rows)); }
+  };
+
+  Supernode supernode(std::size_t s) const
+  {
+    const auto array = [](const void* pointer) { return static_cast<const SuiteSparse_long*>(pointer); };
+    Supernode node;
+    node.first = array(m_factor->super)[s];
+    node.columns = array(m_factor->super)[s + 1] - node.first;
+    node.rows = array(m_factor->pi)[s + 1] - array(m_factor->pi)[s];
+    node.row_indices = array(m_factor->s) + array(m_factor->pi)[s];
+    node.values = static_cast<const double*>(m_factor->x) + array(m_factor->px)[s];
+    return node;
+  }
+
+  bool solve_simplicial(int system, Eigen::VectorXd& x)
+  {
+    if(!m_is_factorized)
+      return false;
+    cholmod_dense right = {};
+    right.nrow = right.nzmax = right.d = x.size();
+    right.ncol = 1;
+    right.x = x.data();
+    right.xtype = CHOLMOD_REAL;
+    right.dtype = CHOLMOD_DOUBLE;
+    if(!cholmod_l_solve2(system, m_factor, &right, nullptr, &m_solution, nullptr, &m_work_y, &m_work_e, &m_common))
+      return false;
+    x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(m_solution->x), x.size());
+    return true;
+  }
+
   bool analyze(cholmod_sparse& matrix, int ordering, SuiteSparse_long* order, bool postorder)
   {
     clear();
@@ -258,6 +336,7 @@ private:
   cholmod_dense* m_solution = nullptr;
   cholmod_dense* m_work_y = nullptr;
   cholmod_dense* m_work_e = nullptr;
+  Eigen::VectorXd m_permuted, m_gathered;
   double m_operations = 0;
   double m_entries = 0;
   bool m_is_factorized = false;

@@ -10,13 +10,12 @@
 
 #include <CGAL/Flip_free_maps/internal/Cholmod_factor.h>
 #include <CGAL/Flip_free_maps/internal/Elimination_split.h>
+#include <CGAL/Flip_free_maps/internal/run_both.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 
-#include <Eigen/Core>
+#include <CGAL/tags.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_invoke.h>
-#endif
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -27,18 +26,6 @@
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
-
-// Runs both functions, at the same time if that is possible.
-template <typename F, typename G>
-void run_both(F&& f, G&& g)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_invoke(f, g);
-#else
-  f();
-  g();
-#endif
-}
 
 // Cholesky factorization in two parts that do not need each other, and their separator. With A = [A_1 0 B_1; 0 A_2 B_2; B_1^T B_2^T S]
 // the factors of [A_i B_i; B_i^T S] end with those of the Schur complements S - B_i^T A_i^-1 B_i; these, with one S taken away, add up to
@@ -54,8 +41,8 @@ public:
     m_block_size = matrix.block_size();
     m_number_of_separator_rows = m_block_size * static_cast<Index>(split.separator().size());
     std::array<bool, 2> analyzed;
-    run_both([&] { analyzed[0] = m_halves[0].analyze(matrix, split.part(0), split.separator()); },
-             [&] { analyzed[1] = m_halves[1].analyze(matrix, split.part(1), split.separator()); });
+    with_both([&] { analyzed[0] = m_halves[0].analyze(matrix, split.part(0), split.separator()); },
+              [&] { analyzed[1] = m_halves[1].analyze(matrix, split.part(1), split.separator()); });
     return analyzed[0] && analyzed[1] && analyze_separator();
   }
 
@@ -71,7 +58,7 @@ public:
   bool factorize(const Block_sparse_matrix& matrix)
   {
     std::array<bool, 2> factorized;
-    run_both([&] { factorized[0] = m_halves[0].factorize(matrix); }, [&] { factorized[1] = m_halves[1].factorize(matrix); });
+    with_both([&] { factorized[0] = m_halves[0].factorize(matrix); }, [&] { factorized[1] = m_halves[1].factorize(matrix); });
     if(!factorized[0] || !factorized[1])
       return false;
     if(m_number_of_separator_rows == 0)
@@ -88,18 +75,18 @@ public:
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
     std::array<bool, 2> solved;
-    run_both([&] { solved[0] = m_halves[0].eliminate(b); }, [&] { solved[1] = m_halves[1].eliminate(b); });
+    with_both([&] { solved[0] = m_halves[0].eliminate(b); }, [&] { solved[1] = m_halves[1].eliminate(b); });
     if(!solved[0] || !solved[1])
       return false;
     x.resize(b.size());
     if(m_number_of_separator_rows > 0) {
       m_separator_right = m_halves[0].separator_part(b) + m_halves[0].correction + m_halves[1].correction;
-      if(!m_separator.solve(CHOLMOD_A, m_separator_right, m_separator_solution))
+      if(!m_separator.solve(m_separator_right, m_separator_solution))
         return false;
       m_halves[0].enter_separator_part(m_separator_solution, x);
     }
-    run_both([&] { solved[0] = m_halves[0].substitute(m_separator_solution, x); },
-             [&] { solved[1] = m_halves[1].substitute(m_separator_solution, x); });
+    with_both([&] { solved[0] = m_halves[0].substitute(m_separator_solution, x); },
+              [&] { solved[1] = m_halves[1].substitute(m_separator_solution, x); });
     return solved[0] && solved[1];
   }
 
@@ -122,7 +109,7 @@ private:
     Cholmod_factor factor;
     Eigen::MatrixXd schur_complement; // lower triangle
     Eigen::MatrixXd last_block;       // of the factor
-    Eigen::VectorXd right, eliminated, correction, solution;
+    Eigen::VectorXd eliminated, correction;
 
     bool analyze(const Block_sparse_matrix& whole, const std::vector<std::int32_t>& part, const std::vector<std::int32_t>& separator)
     {
@@ -202,10 +189,10 @@ private:
     // Eliminates the inner unknowns from the right-hand side; what that adds to the separator's is the correction.
     bool eliminate(const Eigen::VectorXd& b)
     {
-      right.setZero(matrix.rows());
+      eliminated.setZero(matrix.rows());
       for(Index i = 0; i < number_of_inner_rows; ++i)
-        right[i] = b[whole_row(i)];
-      if(!factor.solve(CHOLMOD_L, right, eliminated))
+        eliminated[i] = b[whole_row(i)];
+      if(!factor.solve_lower(eliminated))
         return false;
       const Index m = matrix.rows() - number_of_inner_rows;
       correction = last_block.triangularView<Eigen::Lower>() * eliminated.tail(m);
@@ -218,13 +205,24 @@ private:
       const Index m = matrix.rows() - number_of_inner_rows;
       if(m > 0)
         eliminated.tail(m) = last_block.triangularView<Eigen::Lower>().transpose() * separator_solution;
-      if(!factor.solve(CHOLMOD_Lt, eliminated, solution))
+      if(!factor.solve_upper(eliminated))
         return false;
       for(Index i = 0; i < number_of_inner_rows; ++i)
-        x[whole_row(i)] = solution[i];
+        x[whole_row(i)] = eliminated[i];
       return true;
     }
   };
+
+  // Runs both functions, each without further threads; OpenMP keeps that setting for each thread.
+  template <typename F, typename G>
+  static void with_both(F&& f, G&& g)
+  {
+    const auto run_alone = [](const auto& function) {
+      const Single_thread guard;
+      function();
+    };
+    run_both<CGAL::Parallel_if_available_tag>([&] { run_alone(f); }, [&] { run_alone(g); });
+  }
 
   // Adds L L^T to the lower triangle of a matrix, panel by panel below the diagonal of L.
   static void add_square(const Eigen::MatrixXd& L, Eigen::MatrixXd& sum)

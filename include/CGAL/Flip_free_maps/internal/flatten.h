@@ -15,25 +15,60 @@
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/adapt_method.h>
+#include <CGAL/Flip_free_maps/internal/run_both.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <new>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
+template <typename Minimizer, typename = void>
+struct Has_analyze : std::false_type {};
+
+template <typename Minimizer>
+struct Has_analyze<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().analyze(std::declval<Summary&>()))>>
+  : std::true_type {};
+
+// Makes a start by `start()`, which tells whether it succeeded, and minimises. The pattern of the matrix does not depend on the start, so
+// both are found at the same time; but not where the start may be the solution.
+template <typename Traits, typename Start>
+void start_and_minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
+                        Positions<2>& x, Summary& summary)
+{
+  using Minimizer = Map_minimizer<2, Traits>;
+  Minimizer minimizer(domain, traits, constraints);
+  bool is_started = false;
+  if constexpr(Has_analyze<Minimizer>::value) {
+    if(traits.start.unfold) {
+      is_started = start();
+    } else {
+      Summary analysis;
+      run_both<typename Traits::Concurrency_tag>([&] { is_started = start(); }, [&] { minimizer.analyze(analysis); });
+      summary.seconds.analyze += analysis.seconds.analyze;
+      summary.seconds.assemble += analysis.seconds.assemble;
+    }
+  } else {
+    is_started = start();
+  }
+  if(is_started)
+    minimizer.minimize(x, summary);
+}
+
 // How to minimise when the image may overlap itself: flips are all that matters.
 struct Free_minimization
 {
-  template <typename Traits>
-  void minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Positions<2>& x,
-                Summary& summary) const
+  template <typename Traits, typename Start>
+  void minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
+                Positions<2>& x, Summary& summary) const
   {
-    Map_minimizer<2, Traits>(domain, traits, constraints).minimize(x, summary);
+    start_and_minimize(domain, traits, constraints, start, x, summary);
   }
 
   template <typename Point>
@@ -78,14 +113,12 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
       return;
 
     Positions<2> x;
-    {
+    const auto start = [&] {
       const Phase_timer timer(summary.seconds.start);
       summary.status = make_start(domain, graph.vertices(), x, summary.start, summary.message);
-    }
-    if(summary.status != Status::success)
-      return;
-
-    minimization.minimize(domain, traits, constraints, x, summary);
+      return summary.status == Status::success;
+    };
+    minimization.minimize(domain, traits, constraints, start, x, summary);
     if(!summary.is_valid())
       return;
 

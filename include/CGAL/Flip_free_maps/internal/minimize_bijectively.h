@@ -257,14 +257,14 @@ struct Bijective_minimization
   bool is_wanted;
   bool keeps_start;
 
-  template <typename Traits>
-  void minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Positions<2>& x,
-                Summary& summary) const
+  template <typename Traits, typename Start>
+  void minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
+                Positions<2>& x, Summary& summary) const
   {
-    if(is_wanted)
+    if(!is_wanted)
+      start_and_minimize(domain, traits, constraints, start, x, summary);
+    else if(start())
       Bijective_minimizer<Traits>(domain, traits, constraints).minimize(x, keeps_start, summary);
-    else
-      Map_minimizer<2, Traits>(domain, traits, constraints).minimize(x, summary);
   }
 
   // Whether the map is still injective in the numbers that the user receives.

@@ -111,7 +111,7 @@ public:
     if(!m_is_factorized)
       return false;
     const internal::Single_thread guard;
-    const bool solved = m_split != nullptr ? m_split->solve(b, x) : m_whole.solve(CHOLMOD_A, b, x);
+    const bool solved = m_split != nullptr ? m_split->solve(b, x) : m_whole.solve(b, x);
     return solved && x.allFinite();
   }
 
