@@ -180,7 +180,9 @@ private:
     double rest_energy = 0; // the same, measured on the rest shape
     double relative_decrease = std::numeric_limits<double>::infinity(); // of the rest energy
     double model_ratio = std::numeric_limits<double>::quiet_NaN();
+    double predicted_decrease = std::numeric_limits<double>::infinity(); // relative, by the full last step, as the model had it
     double gradient_norm = 0;
+    double last_gradient_norm = 0; // before the last step
     double characteristic_gradient_norm = 0;
     double step = 0;
     double largest_step = 0;
@@ -325,7 +327,7 @@ private:
     const bool with_matrix = refactorization != Refactorization::none;
     // A start may be the solution already; then no pattern is needed.
     differentiate(run, with_matrix && m_is_analyzed);
-    if(run.retries == 0 && has_ended(run))
+    if(run.retries == 0 && has_ended(run, with_matrix))
       return false;
     if(!m_is_analyzed) {
       if(!analyze_or_fail(summary))
@@ -376,8 +378,8 @@ private:
     summary.characteristic_gradient_norm = progress.characteristic_gradient_norm;
   }
 
-  // Asks the observer, the stopping rules and the limits, in this order.
-  bool has_ended(Run& run) const
+  // Asks the observer, the stopping rules and the limits, in this order. `factorizes`: whether to go on takes a factorization.
+  bool has_ended(Run& run, bool factorizes)
   {
     Summary& summary = run.summary;
     const double seconds = internal::wall_seconds() - run.time_begin;
@@ -385,7 +387,7 @@ private:
       finish(summary, Status::stopped_by_observer, "the observer asked to stop");
       return true;
     }
-    if(run.is_rest_reference && is_converged(run))
+    if(run.is_rest_reference && is_converged(run, factorizes))
       return true;
     if(summary.iterations - run.first_iteration >= run.options.max_iterations) {
       finish(summary, Status::iteration_limit, "the limit of iterations is reached");
@@ -398,7 +400,7 @@ private:
     return false;
   }
 
-  bool is_converged(const Run& run) const
+  bool is_converged(Run& run, bool factorizes)
   {
     const Progress& progress = run.progress;
     const Map_options& options = run.options;
@@ -412,11 +414,28 @@ private:
       return stop("the norm of the gradient is within its tolerance");
     if(progress.characteristic_gradient_norm <= options.characteristic_gradient_tolerance)
       return stop("the characteristic norm of the gradient is within its tolerance");
-    if(run.summary.iterations > run.first_iteration && options.relative_energy_tolerance > 0 &&
-       progress.relative_decrease <= options.relative_energy_tolerance && is_nearly_stationary(run) &&
-       (progress.small_decreases >= options.stagnation_iterations || (progress.fresh && progress.step >= 0.5)))
+    if(run.summary.iterations == run.first_iteration || !(options.relative_energy_tolerance > 0) || !is_nearly_stationary(run))
+      return false;
+    const bool is_full_step = progress.fresh && progress.step >= 0.5;
+    // A step that goes far beyond the minimum along its direction may decrease the energy by as little as one that ends the run.
+    if(progress.relative_decrease <= options.relative_energy_tolerance &&
+       (progress.small_decreases >= options.stagnation_iterations ||
+        (is_full_step && progress.predicted_decrease <= MODEL_ERROR * options.relative_energy_tolerance)))
       return stop("the relative decrease of the energy is within its tolerance");
+    if(is_full_step && factorizes && predicts_small_decrease(run, options.relative_energy_tolerance / MODEL_ERROR))
+      return stop("the predicted relative decrease of the energy is within its tolerance");
     return false;
+  }
+
+  // Whether the model of the last step, with the gradient of now, predicts a relative decrease of at most `tolerance`: a solve instead of the
+  // factorization of an iteration that would only confirm convergence. The norms of the gradients say when it is worth it.
+  bool predicts_small_decrease(Run& run, double tolerance)
+  {
+    const Progress& progress = run.progress;
+    const double drop = progress.gradient_norm / progress.last_gradient_norm;
+    if(!m_is_factorized || !(progress.predicted_decrease * drop * drop <= tolerance) || !m_solver.solve(run.gradient, run.direction))
+      return false;
+    return 0.5 * run.gradient.dot(run.direction) <= tolerance * std::abs(progress.energy);
   }
 
   // Where the energy is astronomical, by few elements that nearly collapse, small changes of it say nothing. Where it is not, a large
@@ -547,6 +566,8 @@ private:
     const double predicted = -slope * found.step * (1 - 0.5 * found.step);
     progress.model_ratio =
       progress.fresh && predicted > 0 ? (progress.energy - found.energy) / predicted : std::numeric_limits<double>::quiet_NaN();
+    progress.predicted_decrease = -0.5 * slope / std::abs(progress.energy);
+    progress.last_gradient_norm = progress.gradient_norm;
     const double previous = progress.rest_energy;
     run.x.swap(run.trial);
     ++run.summary.iterations;
@@ -708,6 +729,8 @@ private:
   static constexpr double ASTRONOMICAL = 10;
   // Decrease of the energy over the predicted one up to which the quadratic model counts as right.
   static constexpr double TRUSTED_MODEL = 1.1;
+  // Preconditioners overestimate curvature, and decreases are predicted too small by such a factor.
+  static constexpr double MODEL_ERROR = 10;
   // Of the way of fixed vertices to their targets: rounds, iterations between them, and the shortest part of the rest of the way.
   static constexpr int MAX_ROUNDS = 300;
   static constexpr int STEPS_PER_ROUND = 4;

@@ -119,6 +119,7 @@ public:
         ++levels;
       }
     }
+    placement.relax_distorted(LARGEST_DISTORTION, DISTORTED_SWEEPS);
     name += "; " + std::to_string(passes) + " passes, " + std::to_string(levels) + " levels)";
 
     internal::Element_schedule schedule;
@@ -176,6 +177,10 @@ private:
 
   static constexpr int ROUNDS = 6; // of trying to place a vertex
   static constexpr int SWEEPS = 5; // over all vertices of a thin surface, after each pass
+  // Before a level is optimised, the vertices of distorted triangles are relaxed one by one. That costs little and spares the optimisation the
+  // triangles that would hold it up.
+  static constexpr double LARGEST_DISTORTION = 1.5;
+  static constexpr int DISTORTED_SWEEPS = 2;
 
   Traits m_traits;
 };

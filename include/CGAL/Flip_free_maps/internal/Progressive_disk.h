@@ -53,6 +53,9 @@ public:
   // Triangles around a vertex.
   const std::vector<std::int32_t>& star(std::int32_t v) const { return m_stars[v]; }
   const Triangle& triangle(std::int32_t t) const { return m_triangles[t]; }
+  // Those that sleep included.
+  std::int32_t number_of_all_triangles() const { return static_cast<std::int32_t>(m_triangles.size()); }
+  bool is_triangle_awake(std::int32_t t) const { return m_is_awake[t]; }
   bool is_awake(std::int32_t v) const { return m_target[v] < 0; }
   bool is_on_border(std::int32_t v) const { return m_next[v] >= 0; }
   const Positions<3>& points() const { return m_points; }

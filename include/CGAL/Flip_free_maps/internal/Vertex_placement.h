@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_VERTEX_PLACEMENT_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/internal/Progressive_disk.h>
 #include <CGAL/Flip_free_maps/internal/Vertex_relaxation.h>
 #include <CGAL/Flip_free_maps/internal/planar_rest_shape.h>
@@ -16,6 +17,7 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -87,7 +89,37 @@ public:
     m_x.col(v) = origin + u;
   }
 
+  // Relaxes, by one Newton step in each sweep, the vertices of triangles whose symmetric Dirichlet energy exceeds a bound.
+  void relax_distorted(double bound, int sweeps)
+  {
+    std::vector<char> is_distorted(m_disk.points().cols());
+    for(int sweep = 0; sweep < sweeps; ++sweep) {
+      std::fill(is_distorted.begin(), is_distorted.end(), 0);
+      for(std::int32_t t = 0; t < m_disk.number_of_all_triangles(); ++t) {
+        const auto& triangle = m_disk.triangle(t);
+        if(m_disk.is_triangle_awake(t) && !(distortion(triangle) <= bound))
+          for(std::int32_t v : triangle)
+            is_distorted[v] = 1;
+      }
+      for(std::size_t v = 0; v < is_distorted.size(); ++v)
+        if(is_distorted[v])
+          relax(static_cast<std::int32_t>(v), 1);
+    }
+  }
+
 private:
+  // The symmetric Dirichlet energy of a triangle, 1 where it has no rest shape.
+  double distortion(const std::array<std::int32_t, 3>& triangle) const
+  {
+    const Positions<3>& points = m_disk.points();
+    Matrix<2> rest_inverse, edges;
+    double area;
+    if(!planar_rest_shape(points.col(triangle[0]), points.col(triangle[1]), points.col(triangle[2]), rest_inverse, area))
+      return 1;
+    edges << m_x.col(triangle[1]) - m_x.col(triangle[0]), m_x.col(triangle[2]) - m_x.col(triangle[0]);
+    return Symmetric_dirichlet().value<2>(signed_singular_values(Matrix<2>(edges * rest_inverse)));
+  }
+
   // A triangle (v, a, b).
   struct Corner
   {
