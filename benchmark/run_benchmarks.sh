@@ -8,25 +8,27 @@
 
 # Builds the benchmarks and runs them all, one after the other, in a few minutes on generated meshes.
 #
-# usage: benchmark/run_benchmarks.sh [--out FOLDER] [--build FOLDER] [--seconds LIMIT] [MESH_FOLDER]
+# usage: benchmark/run_benchmarks.sh [--out FOLDER] [--build FOLDER] [--seconds LIMIT] [MESH_OR_FOLDER...]
 #
-# Results go to build/benchmark_results; open methods.html there. With a folder of meshes the methods are compared on its files d1_*, d2_*,
-# d3_*, d3p_* and special_* with at most FFM_LARGEST_MESH triangles (60000) instead of the generated ones; if the folder holds
-# PP_FIGURES.tsv, its figures appear beside ours.
+# Results go to build/benchmark_results; open parameterize.html (the default method: time, memory, work, threads) and methods.html (all
+# methods compared) there. Meshes are given as files, or as folders, of which the files d1_*, d2_*, d3_*, d3p_* and special_* with at most
+# FFM_LARGEST_MESH triangles (60000) are taken, instead of generated ones; if a folder holds PP_FIGURES.tsv, its figures appear beside
+# ours in methods.html. FFM_LADDER (25000,100000,400000), FFM_THREADS (1,2) and FFM_REPEAT (3) are the numbers of triangles, threads and
+# equal runs of parameterize.html.
 
 set -e
 root=$(cd "$(dirname "$0")/.." && pwd)
 build="$root/build/benchmark"
 out="$root/build/benchmark_results"
 seconds=60
-meshes=
-while [ $# -gt 0 ]; do
+left=$#
+while [ "$left" -gt 0 ]; do
   case "$1" in
-    --out) out=$2; shift 2 ;;
-    --build) build=$2; shift 2 ;;
-    --seconds) seconds=$2; shift 2 ;;
-    -h|--help) sed -n '9,15s/^# \{0,1\}//p' "$0"; exit 0 ;;
-    *) meshes=$1; shift ;;
+    --out) out=$2; shift 2; left=$((left - 2)) ;;
+    --build) build=$2; shift 2; left=$((left - 2)) ;;
+    --seconds) seconds=$2; shift 2; left=$((left - 2)) ;;
+    -h|--help) sed -n '9,18s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    *) set -- "$@" "$1"; shift; left=$((left - 1)) ;;
   esac
 done
 
@@ -58,9 +60,19 @@ run "interactive deformation" deform_interactive.csv "$bin/performance_deform_in
 run "splitting iterations" splitting_iterations.csv "$bin/performance_splitting_iterations"
 run "bar experiments" bar_experiments.csv "$bin/quality_bar_experiments" 20 "$seconds"
 
-set --
-if [ -n "$meshes" ]; then
-  for file in "$meshes"/d1_* "$meshes"/d2_* "$meshes"/d3_* "$meshes"/d3p_* "$meshes"/special_*; do
+# Folders give way to their files.
+figures=
+left=$#
+while [ "$left" -gt 0 ]; do
+  mesh=$1
+  shift
+  left=$((left - 1))
+  if [ ! -d "$mesh" ]; then
+    set -- "$@" "$mesh"
+    continue
+  fi
+  before=$#
+  for file in "$mesh"/d1_* "$mesh"/d2_* "$mesh"/d3_* "$mesh"/d3p_* "$mesh"/special_*; do
     case "$file" in
       *.off) faces=$(awk '!/^#/ && NF { for(i = 1; i <= NF; ++i) if($i != "OFF" && ++n == 2) { print $i; exit } }' "$file") ;;
       *.ply) faces=$(awk '/^element face/ { print $3; exit }' "$file") ;;
@@ -69,12 +81,19 @@ if [ -n "$meshes" ]; then
     esac
     [ "$faces" -le "${FFM_LARGEST_MESH:-60000}" ] && set -- "$@" "$file"
   done
-  [ $# -gt 0 ] || { echo "no meshes in $meshes"; exit 1; }
-  run "area distortion" area_distortion.csv "$bin/quality_area_distortion" "$@"
-  [ -f "$meshes/PP_FIGURES.tsv" ] && set -- --reference "$meshes/PP_FIGURES.tsv" "$@"
+  [ $# -gt "$before" ] || { echo "no meshes in $mesh"; exit 1; }
+  [ -f "$mesh/PP_FIGURES.tsv" ] && figures="$mesh/PP_FIGURES.tsv"
+done
+
+# BLAS has one thread, so that it does not compete with the other threads for processors.
+if [ -x "$bin/performance_parameterize_report" ]; then
+  OPENBLAS_NUM_THREADS=1 "$bin/performance_parameterize_report" --output "$out" --threads "${FFM_THREADS:-1,2}" \
+    --repeat "${FFM_REPEAT:-3}" --ladder "${FFM_LADDER:-25000,100000,400000}" "$@" || failures=$((failures + 1))
 else
-  run "area distortion" area_distortion.csv "$bin/quality_area_distortion"
+  echo "default method: not built"
 fi
+run "area distortion" area_distortion.csv "$bin/quality_area_distortion" "$@"
+[ -n "$figures" ] && set -- --reference "$figures" "$@"
 if [ -x "$bin/quality_run_methods" ]; then
   "$bin/quality_run_methods" --seconds "$seconds" --csv "$out/methods.csv" --html "$out/methods.html" "$@" || failures=$((failures + 1))
 else

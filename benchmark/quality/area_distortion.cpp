@@ -13,8 +13,8 @@
 // usage: area_distortion [MESH...]        (disks: OFF, OBJ, PLY)
 
 #include "../support/Table.h"
+#include "../support/generated_meshes.h"
 #include "../support/machine.h"
-#include "generated_meshes.h"
 
 #include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>

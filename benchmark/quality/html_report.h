@@ -9,7 +9,8 @@
 #define CGAL_FLIP_FREE_MAPS_BENCHMARK_QUALITY_HTML_REPORT_H
 
 #include "../support/Table.h"
-#include "svg_plots.h"
+#include "../support/html.h"
+#include "../support/svg_plots.h"
 
 #include <algorithm>
 #include <array>
@@ -55,8 +56,7 @@ public:
 
   std::string html()
   {
-    m_html = HEAD;
-    m_html += "<h1>Flip_free_maps: methods compared</h1>\n<p class='muted'>";
+    m_html = html_head("Flip_free_maps: methods compared") + "<p class='muted'>";
     for(const std::string& comment : m_results.comments())
       m_html += escape(comment) + "<br>\n";
     m_html += "</p>\n";
@@ -78,42 +78,6 @@ private:
     double seconds;
     double energy;
   };
-
-  static constexpr const char* HEAD =
-    "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><title>Flip_free_maps: methods compared</title>\n<style>\n"
-    "body{font:15px/1.5 Helvetica,Arial,sans-serif;color:#111827;background:#fff;max-width:1180px;margin:2em auto;padding:0 1.5em}\n"
-    "h1{font-size:1.7em;font-weight:600}h2{font-size:1.25em;font-weight:600;margin-top:2.2em;border-bottom:1px solid #d1d5db}\n"
-    "h3{font-size:1em;font-weight:600;margin:1.6em 0 .3em}.muted{color:#6b7280;font-size:.9em}\n"
-    "table{border-collapse:collapse;font-size:12.5px;font-variant-numeric:tabular-nums;margin:.6em 0}\n"
-    "th,td{padding:2px 9px;text-align:right;border-bottom:1px solid #e5e7eb;white-space:nowrap}\n"
-    "th{font-weight:600;border-bottom:2px solid #9ca3af;vertical-align:bottom}th:first-child,td:first-child{text-align:left}\n"
-    "tr.set td{border-top:2px solid #9ca3af}.scroll{overflow-x:auto}.best{font-weight:700}.worse{color:#b91c1c}.off{color:#9ca3af}\n"
-    ".pair{display:flex;flex-wrap:wrap;gap:18px}.pair>div{flex:1 1 480px;max-width:560px}svg.plot{width:100%;height:auto}\n"
-    ".legend{display:flex;flex-wrap:wrap;gap:4px 16px;font-size:12.5px;margin:.3em 0}.legend svg{vertical-align:middle;margin-right:5px}\n"
-    "</style></head><body>\n";
-
-  static std::string escape(const std::string& text)
-  {
-    std::string result;
-    for(char c : text)
-      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return result;
-  }
-
-  static std::string set_of(const std::string& mesh) { return mesh.substr(0, mesh.find('_')); }
-
-  static std::string cell(const std::string& text, const std::string& style = std::string())
-  {
-    return "<td" + (style.empty() ? "" : " class='" + style + "'") + ">" + text + "</td>";
-  }
-
-  static std::string header(const std::vector<std::string>& columns)
-  {
-    std::string text = "<div class='scroll'><table><tr>";
-    for(const std::string& column : columns)
-      text += "<th>" + column + "</th>";
-    return text + "</tr>\n";
-  }
 
   bool has(const std::string& mesh, const std::string& method) const { return m_rows.at(mesh).count(method) > 0; }
 

@@ -9,8 +9,8 @@
 // file and as a report that any browser shows: see `--help`.
 
 #include "../support/Table.h"
+#include "../support/generated_meshes.h"
 #include "../support/machine.h"
-#include "generated_meshes.h"
 #include "html_report.h"
 
 #include <CGAL/Flip_free_maps/Any_map_traits.h>
@@ -30,7 +30,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -293,19 +292,12 @@ int main(int argc, char** argv)
       }
       run(mesh, stem(file));
     }
-    if(files.empty()) {
-      const std::pair<const char*, std::function<void(Mesh&)>> generated[] = {
-        {"generated_bumpy_5k", [](Mesh& mesh) { make_bumpy_surface(mesh, 50); }},
-        {"generated_bumpy_20k", [](Mesh& mesh) { make_bumpy_surface(mesh, 100); }},
-        {"generated_roll_6k", [](Mesh& mesh) { make_roll(mesh, 20); }},
-        {"generated_ball_5k", [](Mesh& mesh) { make_ball(mesh, 72); }},
-        {"generated_tube_4k", [](Mesh& mesh) { make_tube(mesh, 32); }}};
-      for(const auto& entry : generated) {
+    if(files.empty())
+      for(const auto& entry : generated_meshes<Mesh>()) {
         Mesh mesh;
         entry.second(mesh);
         run(mesh, entry.first);
       }
-    }
   }
   for(const std::string& file : earlier) {
     Table more, more_traces;

@@ -23,9 +23,14 @@
 #endif
 
 #include <cstddef>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <thread>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace benchmark_support {
 
@@ -69,6 +74,15 @@ inline std::string machine()
 
 // Forgets the largest resident memory so far, where the system allows it (Linux), so that runs in one process can be told apart.
 inline void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << 5; }
+
+// Gives memory that is not in use back to the system, where that can be asked for (GNU), so that a run does not profit from, or is
+// charged with, what the one before it needed.
+inline void release_unused_memory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 } // namespace benchmark_support
 

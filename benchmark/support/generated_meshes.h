@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_BENCHMARK_QUALITY_GENERATED_MESHES_H
-#define CGAL_FLIP_FREE_MAPS_BENCHMARK_QUALITY_GENERATED_MESHES_H
+#ifndef CGAL_FLIP_FREE_MAPS_BENCHMARK_SUPPORT_GENERATED_MESHES_H
+#define CGAL_FLIP_FREE_MAPS_BENCHMARK_SUPPORT_GENERATED_MESHES_H
 
 // Disks of several kinds for a comparison without any file.
 
@@ -14,7 +14,12 @@
 
 #include <CGAL/boost/graph/generators.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace benchmark_support {
@@ -80,6 +85,52 @@ void make_tube(Mesh& mesh, int around)
     [=](double t) { return length * t < cap ? std::cos(length * t) : cap - length * t; });
 }
 
+// About so many triangles of one surface, a square sheet with hills and dents that flattens with energy 1.05 or so, however many they are.
+// Vertices are scattered, and each cell of four is cut along its shorter diagonal, so that the connectivity is irregular.
+template <typename Mesh>
+void make_bumpy_sheet(Mesh& mesh, double faces)
+{
+  using Point = typename Mesh::Point;
+  constexpr double PI = 3.14159265358979323846;
+  const int cells = (std::max)(2, static_cast<int>(std::lround(std::sqrt(faces / 2))));
+  const std::size_t n = cells;
+  mesh.reserve((n + 1) * (n + 1), 3 * n * n + 2 * n, 2 * n * n);
+  std::mt19937_64 generator(1);
+  const auto random = [&] { return 0.25 * (static_cast<double>(generator() >> 11) / 4503599627370496. - 1); };
+  for(int j = 0; j <= cells; ++j)
+    for(int i = 0; i <= cells; ++i) {
+      const double dx = random(), dy = random();
+      const double x = (i + (i > 0 && i < cells ? dx : 0)) / cells, y = (j + (j > 0 && j < cells ? dy : 0)) / cells;
+      const double z = 0.23 * std::sin(3 * PI * x) * std::sin(2 * PI * y + 1) + 0.055 * std::sin(7 * PI * x + 2 * y) * std::cos(5 * PI * y);
+      mesh.add_vertex(Point(x, y, z));
+    }
+  const auto at = [cells](int i, int j) {
+    return typename Mesh::Vertex_index(static_cast<typename Mesh::size_type>(j) * (cells + 1) + i);
+  };
+  for(int j = 0; j < cells; ++j)
+    for(int i = 0; i < cells; ++i) {
+      const auto a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      if((mesh.point(a) - mesh.point(c)).squared_length() < (mesh.point(b) - mesh.point(d)).squared_length()) {
+        mesh.add_face(a, b, c);
+        mesh.add_face(a, c, d);
+      } else {
+        mesh.add_face(a, b, d);
+        mesh.add_face(b, c, d);
+      }
+    }
+}
+
+// Names and makers of the meshes that programs run on when they are given none.
+template <typename Mesh>
+std::vector<std::pair<std::string, std::function<void(Mesh&)>>> generated_meshes()
+{
+  return {{"generated_bumpy_5k", [](Mesh& mesh) { make_bumpy_surface(mesh, 50); }},
+          {"generated_bumpy_20k", [](Mesh& mesh) { make_bumpy_surface(mesh, 100); }},
+          {"generated_roll_6k", [](Mesh& mesh) { make_roll(mesh, 20); }},
+          {"generated_ball_5k", [](Mesh& mesh) { make_ball(mesh, 72); }},
+          {"generated_tube_4k", [](Mesh& mesh) { make_tube(mesh, 32); }}};
+}
+
 } // namespace benchmark_support
 
-#endif // CGAL_FLIP_FREE_MAPS_BENCHMARK_QUALITY_GENERATED_MESHES_H
+#endif // CGAL_FLIP_FREE_MAPS_BENCHMARK_SUPPORT_GENERATED_MESHES_H

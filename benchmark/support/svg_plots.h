@@ -5,16 +5,17 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_BENCHMARK_QUALITY_SVG_PLOTS_H
-#define CGAL_FLIP_FREE_MAPS_BENCHMARK_QUALITY_SVG_PLOTS_H
+#ifndef CGAL_FLIP_FREE_MAPS_BENCHMARK_SUPPORT_SVG_PLOTS_H
+#define CGAL_FLIP_FREE_MAPS_BENCHMARK_SUPPORT_SVG_PLOTS_H
 
-#include "../support/Table.h"
+#include "Table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -49,12 +50,27 @@ inline std::string stroke(const Style& style)
          (style.dashes.empty() ? "" : " stroke-dasharray='" + style.dashes + "'");
 }
 
-inline std::string legend(const std::vector<std::string>& methods)
+// How one of several series without names of methods is drawn.
+inline Style style_of_series(std::size_t number)
+{
+  static const char* const COLORS[] = {"#1f77b4", "#e67e00", "#2ca02c", "#8e44ad", "#d62728", "#17a2b8", "#8c564b", "#7f7f7f", "#bcbd22"};
+  return {COLORS[number % (sizeof(COLORS) / sizeof(COLORS[0]))], "", 1.6};
+}
+
+inline std::string legend(const std::vector<std::pair<std::string, Style>>& series)
 {
   std::string text = "<div class='legend'>";
-  for(const std::string& method : methods)
-    text += "<span><svg width='34' height='12'><path d='M1 6H33' " + stroke(style_of(method)) + "/></svg>" + method + "</span>";
+  for(const auto& entry : series)
+    text += "<span><svg width='34' height='12'><path d='M1 6H33' " + stroke(entry.second) + "/></svg>" + entry.first + "</span>";
   return text + "</div>\n";
+}
+
+inline std::string legend(const std::vector<std::string>& methods)
+{
+  std::vector<std::pair<std::string, Style>> series;
+  for(const std::string& method : methods)
+    series.push_back({method, style_of(method)});
+  return legend(series);
 }
 
 // A linear or logarithmic axis of `length` pixels.
@@ -93,10 +109,12 @@ public:
 
   std::string label(double value) const
   {
-    const double exponent = std::round(std::log10(value));
-    if(!m_is_logarithmic || (value >= 0.001 && value < 9999) || std::abs(std::pow(10., exponent) / value - 1) > 1e-6)
+    const double exponent = std::floor(std::log10(value) + 1e-9);
+    if(!m_is_logarithmic || (value >= 0.001 && value < 9999))
       return format(value);
-    return "10<tspan dy='-5' font-size='8.5'>" + format(exponent) + "</tspan>";
+    const double mantissa = value / std::pow(10., exponent);
+    return (std::abs(mantissa - 1) < 1e-6 ? "" : format(mantissa) + "&#183;") + "10<tspan dy='-5' font-size='8.5'>" + format(exponent) +
+           "</tspan>";
   }
 
 private:
@@ -106,7 +124,7 @@ private:
   double m_length;
 };
 
-// Lines over two axes.
+// Lines and dots over two axes, the first of them logarithmic.
 class Line_plot
 {
 public:
@@ -116,41 +134,52 @@ public:
     std::vector<std::pair<double, double>> points;
   };
 
+  struct Dot
+  {
+    double x;
+    double y;
+    std::string color;
+    std::string title; // shown when the mouse is over it
+    bool is_filled;
+  };
+
   std::string x_label;
   std::string y_label;
   double x_low = 1, x_high = 10, y_low = 0, y_high = 1;
   bool y_is_logarithmic = true;
   bool is_staircase = false;
+  double height = 250;
   std::vector<Line> lines;
+  std::vector<Dot> dots;
 
   std::string svg() const
   {
-    constexpr double LEFT = 58, TOP = 10, WIDTH = 400, HEIGHT = 250, RIGHT = 14, BOTTOM = 44;
+    constexpr double LEFT = 58, TOP = 10, WIDTH = 400, RIGHT = 14, BOTTOM = 44;
     static int number = 0;
     const std::string clip = "clip" + std::to_string(++number);
-    const Axis x(x_low, x_high, true, WIDTH), y(y_low, y_high, y_is_logarithmic, HEIGHT);
+    const Axis x(x_low, x_high, true, WIDTH), y(y_low, y_high, y_is_logarithmic, height);
     std::ostringstream out;
     out.precision(5);
-    out << "<svg class='plot' viewBox='0 0 " << LEFT + WIDTH + RIGHT << ' ' << TOP + HEIGHT + BOTTOM
+    out << "<svg class='plot' viewBox='0 0 " << LEFT + WIDTH + RIGHT << ' ' << TOP + height + BOTTOM
         << "' xmlns='http://www.w3.org/2000/svg'"
         << " font-family='Helvetica, Arial, sans-serif' font-size='11'>\n<defs><clipPath id='" << clip << "'><rect x='" << LEFT
-        << "' y='" << TOP << "' width='" << WIDTH << "' height='" << HEIGHT << "'/></clipPath></defs>\n";
+        << "' y='" << TOP << "' width='" << WIDTH << "' height='" << height << "'/></clipPath></defs>\n";
     for(double tick : x.ticks())
-      out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << HEIGHT << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick)
-          << "' y='" << TOP + HEIGHT + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
+      out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << height << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick)
+          << "' y='" << TOP + height + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
     for(double tick : y.ticks())
-      out << "<path d='M" << LEFT << ' ' << TOP + HEIGHT - y(tick) << 'h' << WIDTH << "' stroke='#e5e7eb'/><text x='" << LEFT - 6
-          << "' y='" << TOP + HEIGHT - y(tick) + 4 << "' text-anchor='end' fill='#4b5563'>" << y.label(tick) << "</text>\n";
-    out << "<rect x='" << LEFT << "' y='" << TOP << "' width='" << WIDTH << "' height='" << HEIGHT
+      out << "<path d='M" << LEFT << ' ' << TOP + height - y(tick) << 'h' << WIDTH << "' stroke='#e5e7eb'/><text x='" << LEFT - 6
+          << "' y='" << TOP + height - y(tick) + 4 << "' text-anchor='end' fill='#4b5563'>" << y.label(tick) << "</text>\n";
+    out << "<rect x='" << LEFT << "' y='" << TOP << "' width='" << WIDTH << "' height='" << height
         << "' fill='none' stroke='#9ca3af'/>\n"
-        << "<text x='" << LEFT + WIDTH / 2 << "' y='" << TOP + HEIGHT + 36 << "' text-anchor='middle' fill='#111827'>" << x_label
-        << "</text>\n<text transform='translate(13 " << TOP + HEIGHT / 2 << ") rotate(-90)' text-anchor='middle' fill='#111827'>"
+        << "<text x='" << LEFT + WIDTH / 2 << "' y='" << TOP + height + 36 << "' text-anchor='middle' fill='#111827'>" << x_label
+        << "</text>\n<text transform='translate(13 " << TOP + height / 2 << ") rotate(-90)' text-anchor='middle' fill='#111827'>"
         << y_label << "</text>\n<g clip-path='url(#" << clip << ")' stroke-linejoin='round'>\n";
     for(const Line& line : lines) {
       out << "<path " << stroke(line.style) << " d='";
       double last_x = -1e9, last_y = -1e9;
       for(std::size_t i = 0; i < line.points.size(); ++i) {
-        const double px = LEFT + x(line.points[i].first), py = TOP + HEIGHT - y(line.points[i].second);
+        const double px = LEFT + x(line.points[i].first), py = TOP + height - y(line.points[i].second);
         if(i > 0 && i + 1 < line.points.size() && std::hypot(px - last_x, py - last_y) < 0.7)
           continue;
         if(i > 0 && is_staircase)
@@ -162,6 +191,10 @@ public:
       }
       out << "'/>\n";
     }
+    for(const Dot& dot : dots)
+      out << "<circle cx='" << LEFT + x(dot.x) << "' cy='" << TOP + height - y(dot.y) << "' r='3.2' stroke='" << dot.color << "' fill='"
+          << (dot.is_filled ? dot.color : "#ffffff") << "' fill-opacity='0.75'>"
+          << (dot.title.empty() ? std::string() : "<title>" + dot.title + "</title>") << "</circle>\n";
     out << "</g></svg>\n";
     return out.str();
   }
@@ -219,6 +252,46 @@ inline std::string box_plot(const std::vector<std::string>& names, const std::ma
   return out.str();
 }
 
+// For each name a bar of coloured parts one after the other, with their sum at its end, over an axis that begins at 0. `values` has the
+// parts of each bar.
+inline std::string stacked_bars(const std::vector<std::string>& names, const std::vector<std::vector<double>>& values,
+                                const std::vector<Style>& styles, const std::string& label)
+{
+  constexpr double LEFT = 170, TOP = 8, WIDTH = 640, ROW = 19, RIGHT = 44, BOTTOM = 42;
+  double largest = 0;
+  for(const std::vector<double>& parts : values)
+    largest = (std::max)(largest, std::accumulate(parts.begin(), parts.end(), 0.));
+  const double power = std::pow(10., std::floor(std::log10((std::max)(largest, 1e-9) / 5)));
+  double step = power;
+  for(double factor : {1.2, 1.6, 2., 3., 4., 6., 8., 10., 12.})
+    if(5 * step < 1.06 * largest)
+      step = factor * power;
+  const Axis x(0, 5 * step, false, WIDTH);
+  const double height = ROW * static_cast<double>(names.size());
+  std::ostringstream out;
+  out.precision(5);
+  out << "<svg class='plot' viewBox='0 0 " << LEFT + WIDTH + RIGHT << ' ' << TOP + height + BOTTOM
+      << "' xmlns='http://www.w3.org/2000/svg' font-family='Helvetica, Arial, sans-serif' font-size='11'>\n";
+  for(double tick : x.ticks())
+    out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << height << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick)
+        << "' y='" << TOP + height + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
+  for(std::size_t i = 0; i < names.size(); ++i) {
+    const double y = TOP + ROW * (static_cast<double>(i) + 0.5);
+    out << "<text x='" << LEFT - 8 << "' y='" << y + 4 << "' text-anchor='end' fill='#111827'>" << names[i] << "</text>\n";
+    double sum = 0;
+    for(std::size_t j = 0; j < values[i].size(); ++j) {
+      out << "<rect x='" << LEFT + x(sum) << "' y='" << y - 6 << "' width='" << x(values[i][j]) << "' height='12' fill='"
+          << styles[j].color << "'/>";
+      sum += values[i][j];
+    }
+    out << "<text x='" << LEFT + x(sum) + 5 << "' y='" << y + 4 << "' fill='#4b5563'>" << format(sum, 3) << "</text>\n";
+  }
+  out << "<rect x='" << LEFT << "' y='" << TOP << "' width='" << WIDTH << "' height='" << height
+      << "' fill='none' stroke='#9ca3af'/>\n<text x='" << LEFT + WIDTH / 2 << "' y='" << TOP + height + 34
+      << "' text-anchor='middle' fill='#111827'>" << label << "</text>\n</svg>\n";
+  return out.str();
+}
+
 } // namespace benchmark_support
 
-#endif // CGAL_FLIP_FREE_MAPS_BENCHMARK_QUALITY_SVG_PLOTS_H
+#endif // CGAL_FLIP_FREE_MAPS_BENCHMARK_SUPPORT_SVG_PLOTS_H
