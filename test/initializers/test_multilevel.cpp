@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(simplification_keeps_a_disk_and_is_undone_exactly)
   for(const Surface& surface : {bumpy_patch(30, 20), closed_tube(9, 25), cone_patch(25, 12)}) {
     const auto domain = make_domain(surface);
     FFM::internal::Progressive_disk disk(domain);
-    disk.coarsen(40);
+    disk.coarsen<CGAL::Parallel_if_available_tag>(40);
     BOOST_TEST(disk.number_of_triangles() <= 60);
     std::vector<std::int32_t> vertices;
     check_disk(disk.domain(vertices));
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(removing_again_undoes_restoring)
 {
   const auto domain = make_domain(bumpy_patch(12, 9));
   FFM::internal::Progressive_disk disk(domain);
-  disk.coarsen(30);
+  disk.coarsen<CGAL::Parallel_if_available_tag>(30);
   std::vector<std::int32_t> vertices;
   const auto before = disk.domain(vertices);
   for(std::int32_t v : disk.take_pass())

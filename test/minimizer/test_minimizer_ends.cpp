@@ -12,6 +12,10 @@
 
 #include "support/minimizer_fixture.h"
 
+#include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
+#include <CGAL/Flip_free_maps/accelerations/Refactorization_rules.h>
+#include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
+
 #include <cmath>
 #include <functional>
 #include <set>
@@ -89,6 +93,36 @@ BOOST_FIXTURE_TEST_CASE(every_rule_has_a_message_of_its_own, Fixture)
   messages.insert(summary.message);
 
   BOOST_TEST(messages.size() == 8u);
+}
+
+// With a factorization in each iteration, one that would gain less than the tolerance is foreseen and saved. What is given away is within
+// the tolerance, also where first steps are long, which may decrease the energy by little far from the optimum.
+BOOST_FIXTURE_TEST_CASE(no_factorization_only_confirms_convergence, Fixture)
+{
+  using Traits = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, FFM::Projected_newton, CGAL::Default, CGAL::Default,
+                                           FFM::No_acceleration, FFM::Every_iteration>;
+  FFM::Map_options options = no_rules();
+  options.max_iterations = 500;
+  const double optimum = run<Traits>(options).energy;
+  int number_foreseen = 0;
+  for(const bool begins_with_largest : {false, true})
+    for(double tolerance = 1e-2; tolerance > 1e-10; tolerance /= 3) {
+      options = no_rules();
+      options.begin_with_largest_step = begins_with_largest;
+      options.relative_energy_tolerance = tolerance;
+      const FFM::Summary summary = run<Traits>(options);
+      check_valid(summary, FFM::Status::success);
+      BOOST_TEST(summary.energy - optimum <= tolerance * optimum);
+      if(summary.message.find("predicted") == std::string::npos)
+        continue;
+      ++number_foreseen;
+      options.relative_energy_tolerance = 0;
+      options.max_iterations = summary.iterations + 1;
+      const FFM::Summary further = run<Traits>(options);
+      BOOST_TEST(further.factorizations == summary.factorizations + 1);
+      BOOST_TEST(summary.energy - further.energy <= tolerance * optimum);
+    }
+  BOOST_TEST(number_foreseen > 0);
 }
 
 BOOST_FIXTURE_TEST_CASE(the_observer_may_stop_at_once, Fixture)

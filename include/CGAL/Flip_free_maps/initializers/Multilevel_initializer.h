@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ class Multilevel_initializer
 {
   using Kernel = typename Traits::Kernel;
   using Tag = typename Traits::Concurrency_tag;
+  using Placement = internal::Vertex_placement<Kernel, typename Traits::Energy>;
   using Tutte = Tutte_initializer<Kernel, typename Traits::Linear_solver, Tag>;
 
 public:
@@ -66,14 +68,14 @@ public:
   {
     internal::Progressive_disk disk(domain);
     x.setZero(2, domain.number_of_vertices);
-    internal::Vertex_placement<Kernel, typename Traits::Energy> placement(disk, m_traits.energy, x);
+    Placement placement(disk, m_traits.energy, x);
     const auto make_solver = [this] { return m_traits.make_linear_solver(); };
 
     // Where even the simplified surface has no flip-free embedding in double precision, simpler ones are tried.
     std::string start_name;
     bool is_thin = false;
     for(std::int64_t wanted = m_traits.start.coarsest_size;; wanted /= 4) {
-      disk.coarsen(wanted);
+      disk.template coarsen<Tag>(wanted);
       std::vector<std::int32_t> vertices;
       const Simplicial_domain<2> coarse = disk.domain(vertices);
       Positions<2> y;
@@ -98,7 +100,7 @@ public:
     // moved into place one by one before all together, and more often.
     const double level_ratio = is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
     while(disk.number_of_passes() > 0) {
-      if(!put_back(disk, placement, message))
+      if(!put_back(disk, x, message))
         return Status::start_not_flip_free;
       if(is_thin)
         for(int sweep = 0; sweep < SWEEPS; ++sweep)
@@ -148,24 +150,34 @@ private:
     return Status::success;
   }
 
-  // Puts the vertices of one pass back. Those whose ring has no kernel in double precision wait until their neighbours have moved.
-  template <typename Placement>
-  static bool put_back(internal::Progressive_disk& disk, Placement& placement, std::string& message)
+  // Puts the vertices of one pass back. They are not adjacent, so each is placed by itself. Those whose ring has no kernel in double
+  // precision wait until their neighbours have moved.
+  bool put_back(internal::Progressive_disk& disk, Positions<2>& x, std::string& message) const
   {
-    std::vector<std::int32_t> pass = disk.take_pass(), waiting;
+    std::vector<std::int32_t> pass = disk.take_pass(), targets, waiting;
+    std::vector<char> is_placed;
     for(int round = 0; round < ROUNDS; ++round) {
+      targets.clear();
+      for(std::int32_t v : pass)
+        targets.push_back(disk.restore(v));
+      is_placed.assign(pass.size(), 0);
+      internal::for_each_index<Tag>((pass.size() + CHUNK_SIZE - 1) / CHUNK_SIZE, [&](std::size_t c) {
+        Placement placement(disk, m_traits.energy, x);
+        for(std::size_t i = c * CHUNK_SIZE; i < (std::min)(pass.size(), (c + 1) * CHUNK_SIZE); ++i)
+          if(placement.enter_kernel(pass[i])) {
+            placement.relax(pass[i], 2);
+            is_placed[i] = 1;
+          }
+      });
       waiting.clear();
-      for(std::int32_t v : pass) {
-        const std::int32_t w = disk.restore(v);
-        if(placement.enter_kernel(v)) {
-          placement.relax(v, 2);
-        } else {
-          disk.remove(v, w);
-          waiting.push_back(v);
+      for(std::size_t i = 0; i < pass.size(); ++i)
+        if(!is_placed[i]) {
+          disk.remove(pass[i], targets[i]);
+          waiting.push_back(pass[i]);
         }
-      }
       if(waiting.empty())
         return true;
+      Placement placement(disk, m_traits.energy, x);
       for(std::int32_t v : waiting)
         for(std::int32_t u : disk.neighbors_while_removed(v))
           placement.relax(u, 2);
@@ -176,6 +188,7 @@ private:
   }
 
   static constexpr int ROUNDS = 6; // of trying to place a vertex
+  static constexpr std::size_t CHUNK_SIZE = 256; // vertices that are placed by one thread
   static constexpr int SWEEPS = 5; // over all vertices of a thin surface, after each pass
   // Before a level is optimised, the vertices of distorted triangles are relaxed one by one. That costs little and spares the optimisation the
   // triangles that would hold it up.

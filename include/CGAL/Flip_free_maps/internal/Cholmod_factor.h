@@ -222,6 +222,10 @@ public:
       return solve_simplicial(CHOLMOD_L, x);
     for(std::size_t s = 0; s < m_factor->nsuper; ++s) {
       const Supernode node = supernode(s);
+      if(node.is_small()) {
+        solve_small_lower(node, x.data());
+        continue;
+      }
       auto y = x.segment(node.first, node.columns);
       node.diagonal_block().triangularView<Eigen::Lower>().solveInPlace(y);
       if(node.rows == node.columns)
@@ -240,6 +244,10 @@ public:
       return solve_simplicial(CHOLMOD_Lt, x);
     for(std::size_t s = m_factor->nsuper; s-- > 0;) {
       const Supernode node = supernode(s);
+      if(node.is_small()) {
+        solve_small_upper(node, x.data());
+        continue;
+      }
       auto y = x.segment(node.first, node.columns);
       if(node.rows > node.columns) {
         m_gathered.resize(node.rows - node.columns);
@@ -278,6 +286,8 @@ public:
   }
 
 private:
+  static constexpr std::int64_t SMALL = 1024;
+
   // Columns of the factor with the same rows, stored as one dense matrix; its upper triangle is not to be read.
   struct Supernode
   {
@@ -287,9 +297,46 @@ private:
     const SuiteSparse_long* row_indices;
     const double* values;
 
+    // So that loops are faster than calls.
+    bool is_small() const { return rows * columns <= SMALL; }
+
     Block diagonal_block() const { return Block(values, columns, columns, Eigen::OuterStride<>(rows)); }
     Block lower_block() const { return Block(values + columns, rows - columns, columns, Eigen::OuterStride<>(rows)); }
   };
+
+  static void solve_small_lower(const Supernode& node, double* x)
+  {
+    double below[SMALL];
+    std::fill(below + node.columns, below + node.rows, 0.);
+    double* y = x + node.first;
+    for(std::int64_t j = 0; j < node.columns; ++j) {
+      const double* column = node.values + j * node.rows;
+      const double value = y[j] /= column[j];
+      for(std::int64_t i = j + 1; i < node.columns; ++i)
+        y[i] -= column[i] * value;
+      for(std::int64_t i = node.columns; i < node.rows; ++i)
+        below[i] += column[i] * value;
+    }
+    for(std::int64_t i = node.columns; i < node.rows; ++i)
+      x[node.row_indices[i]] -= below[i];
+  }
+
+  static void solve_small_upper(const Supernode& node, double* x)
+  {
+    double below[SMALL];
+    for(std::int64_t i = node.columns; i < node.rows; ++i)
+      below[i] = x[node.row_indices[i]];
+    double* y = x + node.first;
+    for(std::int64_t j = node.columns; j-- > 0;) {
+      const double* column = node.values + j * node.rows;
+      double value = y[j];
+      for(std::int64_t i = j + 1; i < node.columns; ++i)
+        value -= column[i] * y[i];
+      for(std::int64_t i = node.columns; i < node.rows; ++i)
+        value -= column[i] * below[i];
+      y[j] = value / column[j];
+    }
+  }
 
   Supernode supernode(std::size_t s) const
   {

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_PROGRESSIVE_DISK_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/Element_schedule.h>
 #include <CGAL/Flip_free_maps/internal/planar_rest_shape.h>
 
 #include <Eigen/Geometry>
@@ -61,12 +62,13 @@ public:
   const Positions<3>& points() const { return m_points; }
 
   // Collapses until at most `wanted` triangles are left; fewer passes when no more collapse is possible.
+  template <typename ConcurrencyTag>
   void coarsen(std::int64_t wanted)
   {
     int severity = 0;
     while(m_number_of_triangles > wanted && severity < SEVERITIES) {
       const std::int64_t before = m_number_of_triangles;
-      coarsen_once(wanted, LIMITS[severity]);
+      coarsen_once<ConcurrencyTag>(wanted, LIMITS[severity]);
       // Thin surfaces stall at strict limits: then shape gives way.
       if(before - m_number_of_triangles < before / 50 + 1)
         ++severity;
@@ -208,6 +210,7 @@ private:
   static constexpr int SEVERITIES = 4;
   static constexpr Limits LIMITS[SEVERITIES] = {{0.5, 0.2}, {0.2, 0.05}, {-0.5, 0.005}, {-2, 1e-6}};
   static constexpr std::size_t LARGEST_VALENCE = 24;
+  static constexpr std::size_t CHUNK_SIZE = 1024; // vertices whose collapses are judged by one thread
 
   // A triangle (v, a, b).
   struct Corner
@@ -243,16 +246,24 @@ private:
     list.erase(std::find(list.begin(), list.end(), value));
   }
 
+  template <typename ConcurrencyTag>
   void coarsen_once(std::int64_t wanted, const Limits& limits)
   {
+    const std::size_t number_of_vertices = m_stars.size();
+    std::vector<std::vector<Collapse>> found((number_of_vertices + CHUNK_SIZE - 1) / CHUNK_SIZE);
+    for_each_index<ConcurrencyTag>(found.size(), [&](std::size_t c) {
+      std::vector<Corner> corners;
+      for(std::size_t v = c * CHUNK_SIZE; v < (std::min)(number_of_vertices, (c + 1) * CHUNK_SIZE); ++v) {
+        if(m_target[v] >= 0)
+          continue;
+        const Collapse best = cheapest_collapse(static_cast<std::int32_t>(v), limits, corners);
+        if(best.w >= 0)
+          found[c].push_back(best);
+      }
+    });
     std::vector<Collapse> collapses;
-    for(std::size_t v = 0; v < m_stars.size(); ++v) {
-      if(m_target[v] >= 0)
-        continue;
-      const Collapse best = cheapest_collapse(static_cast<std::int32_t>(v), limits);
-      if(best.w >= 0)
-        collapses.push_back(best);
-    }
+    for(const std::vector<Collapse>& chunk : found)
+      collapses.insert(collapses.end(), chunk.begin(), chunk.end());
     std::sort(collapses.begin(), collapses.end());
     // The dear quarter waits for a later pass, when cheaper collapses may have become possible instead.
     if(collapses.size() > 64)
@@ -275,12 +286,12 @@ private:
       m_passes.push_back(std::move(pass));
   }
 
-  Collapse cheapest_collapse(std::int32_t v, const Limits& limits)
+  Collapse cheapest_collapse(std::int32_t v, const Limits& limits, std::vector<Corner>& corners) const
   {
-    load_corners(v);
+    load_corners(v, corners);
     Collapse best{std::numeric_limits<double>::infinity(), v, -1};
     const auto consider = [&](std::int32_t w) {
-      const double cost = collapse_cost(v, w, limits, best.cost);
+      const double cost = collapse_cost(v, w, limits, corners, best.cost);
       if(cost < best.cost && is_possible(v, w)) {
         best.cost = cost;
         best.w = w;
@@ -290,16 +301,16 @@ private:
       consider(m_next[v]);
       consider(m_previous[v]);
     } else {
-      for(const Corner& corner : m_corners)
+      for(const Corner& corner : corners)
         consider(corner.number_a);
     }
     return best;
   }
 
   // Copies the triangles around v to where all candidates of a collapse find them.
-  void load_corners(std::int32_t v)
+  void load_corners(std::int32_t v, std::vector<Corner>& corners) const
   {
-    m_corners.clear();
+    corners.clear();
     const Vector<3> p = m_points.col(v);
     for(std::int32_t t : m_stars[v]) {
       const Triangle& triangle = m_triangles[t];
@@ -312,19 +323,19 @@ private:
       corner.normal = (corner.a - p).cross(corner.b - p);
       corner.normal_length = corner.normal.norm();
       corner.squared_side = (corner.b - corner.a).squaredNorm();
-      m_corners.push_back(corner);
+      corners.push_back(corner);
     }
   }
 
   // How much the surface changes: squared distances of v to the new triangles, weighted by their areas, and a little of the edge's
   // length so that flat parts thin out evenly. Infinite beyond the limits, and where it is found to exceed `bound`.
-  double collapse_cost(std::int32_t v, std::int32_t w, const Limits& limits, double bound) const
+  double collapse_cost(std::int32_t v, std::int32_t w, const Limits& limits, const std::vector<Corner>& corners, double bound) const
   {
     const double infinity = std::numeric_limits<double>::infinity();
     const Vector<3> p = m_points.col(v), q = m_points.col(w);
     const double length = (q - p).squaredNorm();
     double cost = 0, area = 0;
-    for(const Corner& corner : m_corners) {
+    for(const Corner& corner : corners) {
       if(corner.number_a == w || corner.number_b == w)
         continue;
       const Vector<3> x = corner.a - q, y = corner.b - q, after = x.cross(y);
@@ -348,30 +359,47 @@ private:
     return cost + 1e-3 * length * (area + length);
   }
 
+  // The vertex behind v in a triangle, in the triangle's sense. Of all triangles around v, those are all its neighbours, but for the last one
+  // at the border.
+  std::int32_t next_in(std::int32_t t, std::int32_t v) const
+  {
+    const Triangle& triangle = m_triangles[t];
+    return triangle[0] == v ? triangle[1] : triangle[1] == v ? triangle[2] : triangle[0];
+  }
+
   // Whether the surface keeps its topology, with three triangles at least around inner vertices.
-  bool is_possible(std::int32_t v, std::int32_t w)
+  bool is_possible(std::int32_t v, std::int32_t w) const
   {
     const bool on_border = is_on_border(v);
     if(on_border && ((w != m_next[v] && w != m_previous[v]) || m_loop_sizes[m_loop[v]] <= 4))
       return false;
     if(m_stars[v].size() + m_stars[w].size() > LARGEST_VALENCE)
       return false;
-    m_marks.resize(m_stars.size(), 0);
-    m_mark += 2;
+    std::array<std::int32_t, LARGEST_VALENCE + 2> ring;
+    auto end = ring.begin();
     for(std::int32_t t : m_stars[w])
-      for(std::int32_t u : m_triangles[t])
-        m_marks[u] = m_mark;
-    m_marks[v] = m_marks[w] = m_mark - 1;
+      *end++ = next_in(t, w);
+    if(is_on_border(w)) {
+      *end++ = m_next[w];
+      *end++ = m_previous[w];
+    }
     int common = 0;
-    for(std::int32_t t : m_stars[v])
-      for(std::int32_t u : m_triangles[t]) {
-        if(m_marks[u] != m_mark)
-          continue;
-        m_marks[u] = m_mark - 1;
-        ++common;
-        if(m_stars[u].size() < (is_on_border(u) ? 2u : 4u))
-          return false;
-      }
+    const auto is_too_close = [&](std::int32_t u) {
+      if(u == w || std::find(ring.begin(), end, u) == end)
+        return false;
+      ++common;
+      return m_stars[u].size() < (is_on_border(u) ? 2u : 4u);
+    };
+    bool meets_next = false, meets_previous = false;
+    for(std::int32_t t : m_stars[v]) {
+      const std::int32_t u = next_in(t, v);
+      meets_next = meets_next || u == m_next[v];
+      meets_previous = meets_previous || u == m_previous[v];
+      if(is_too_close(u))
+        return false;
+    }
+    if(on_border && ((!meets_next && is_too_close(m_next[v])) || (!meets_previous && is_too_close(m_previous[v]))))
+      return false;
     return common == (on_border ? 1 : 2);
   }
 
@@ -386,9 +414,6 @@ private:
   std::int64_t m_number_of_triangles;
   std::vector<std::size_t> m_loop_sizes;
   std::vector<std::vector<std::int32_t>> m_passes;
-  std::vector<Corner> m_corners;
-  std::vector<std::int32_t> m_marks;
-  std::int32_t m_mark = 1;
 };
 
 } // namespace internal
