@@ -376,6 +376,7 @@ BOOST_FIXTURE_TEST_CASE(long_thin_tube, Fixture)
   add_soup(tube(3, 600, 0.7), mesh);
   FFM::Flip_free_map_traits<> traits;
   traits.start.fall_back = false;
+  traits.start.multilevel_size = -1;
   for(const auto weights : {FFM::Tutte_weights::uniform, FFM::Tutte_weights::mean_value, FFM::Tutte_weights::cotangent}) {
     traits.start.weights = weights;
     check_failure(any_border(), Status::start_not_flip_free, traits);

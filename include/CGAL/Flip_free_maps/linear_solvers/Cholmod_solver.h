@@ -25,8 +25,8 @@ namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
 /// CHOLMOD's Cholesky factorization (Chen, Davis, Hager and Rajamanickam 2008), with 64-bit indices. Orderings are computed on the graph
-/// of the vertices and expanded to the blocks: approximate minimum degree, and on large meshes METIS nested dissection as well, of
-/// which the one with fewer floating-point operations is kept. CHOLMOD chooses the supernodal or the simplicial kernel by the operations
+/// of the vertices and expanded to the blocks: approximate minimum degree, and where that leaves many operations METIS nested dissection as
+/// well, which takes ten times as long; the one with fewer floating-point operations is kept. CHOLMOD chooses the supernodal or the simplicial kernel by the operations
 /// per entry of the factor. The factor's storage is kept between factorizations.
 ///
 /// Where a factorization is large, the elimination tree is cut into two parts of about the same work and a separator that is eliminated last.
@@ -40,8 +40,8 @@ namespace Flip_free_maps {
 class Cholmod_solver
 {
 public:
-  /// Vertices from which METIS is tried as well.
-  static constexpr std::int64_t METIS_THRESHOLD = 20000;
+  /// Floating-point operations of a factorization per vertex from which METIS is tried as well: it takes as long as so many.
+  static constexpr double METIS_THRESHOLD = 7e4;
   /// Floating-point operations of a factorization from which it is done in two parts.
   static constexpr double SPLIT_THRESHOLD = 3e8;
 
@@ -67,7 +67,9 @@ public:
     m_ordering = "amd";
     auto best = std::make_unique<internal::Cholmod_factor>();
     bool is_ordered = best->order(graph, CHOLMOD_AMD);
-    if(matrix.number_of_vertices() >= METIS_THRESHOLD) {
+    // A column of the factor of the graph with c entries stands for b columns with b c entries.
+    const double b = matrix.block_size();
+    if(!is_ordered || b * b * b * best->operations() >= METIS_THRESHOLD * matrix.number_of_vertices()) {
       auto metis = std::make_unique<internal::Cholmod_factor>();
       if(order_by_metis(graph, *metis) && (!is_ordered || metis->operations() < best->operations())) {
         std::swap(best, metis);
@@ -78,8 +80,6 @@ public:
     if(!is_ordered)
       return false;
 
-    // A column of the factor of the graph with c entries stands for b columns with b c entries.
-    const double b = matrix.block_size();
     if(b * b * b * best->operations() >= SPLIT_THRESHOLD) {
       const internal::Elimination_split split(matrix, best->order(), best->column_counts());
       if(split.is_worthwhile()) {
