@@ -45,7 +45,9 @@ struct Map_options
   /// Stop when |grad E| <= tolerance.
   double gradient_tolerance = 0;
   /// Stop when the relative decrease of the energy is at most this in `stagnation_iterations` steps in a row, or in one step of
-  /// length at least 1/2 along a fresh second-order direction: a short step alone says nothing about convergence.
+  /// length at least 1/2 along a fresh second-order direction that had promised no more than ten times as much: a short step alone says
+  /// nothing about convergence, nor does one that went too far. Also stop instead of factorizing again when, after such a step, the last
+  /// factorization and the new gradient predict a relative decrease of at most a tenth of this.
   double relative_energy_tolerance = 0;
   /// See `relative_energy_tolerance`.
   int stagnation_iterations = 3;

@@ -19,9 +19,9 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <vector>
 
 namespace CGAL {
@@ -32,59 +32,81 @@ namespace internal {
   // large meshes, waiting for them costs more than they bring, and sums of BLAS would depend on their number. Both libraries are
   // looked up at run time, because which ones serve CHOLMOD is only known then.
   class Single_thread
+{
+public:
+  Single_thread() : m_openmp_before(openmp().exchange(0))
   {
-  public:
-    Single_thread()
-    {
-      for(std::size_t i = 0; i < settings().size(); ++i)
-        m_before[i] = settings()[i].exchange(settings()[i].single);
-    }
-    ~Single_thread()
-    {
-      for(std::size_t i = 0; i < settings().size(); ++i)
-        settings()[i].exchange(m_before[i]);
-    }
-    Single_thread(const Single_thread&) = delete;
-    Single_thread& operator=(const Single_thread&) = delete;
+    const std::lock_guard<std::mutex> lock(blas_use().mutex);
+    if(blas_use().users++ == 0)
+      blas_use().threads_before = blas().exchange(1);
+  }
+  ~Single_thread()
+  {
+    openmp().exchange(m_openmp_before);
+    const std::lock_guard<std::mutex> lock(blas_use().mutex);
+    if(--blas_use().users == 0)
+      blas().exchange(blas_use().threads_before);
+  }
+  Single_thread(const Single_thread&) = delete;
+  Single_thread& operator=(const Single_thread&) = delete;
 
-  private:
-    // A number that some library keeps for the process.
-    struct Setting
-    {
-      int single;
-      void (*set)(int) = nullptr;
-      int (*get)() = nullptr;
+private:
+  // A number that some library keeps.
+  struct Setting
+  {
+    void (*set)(int) = nullptr;
+    int (*get)() = nullptr;
 
-      Setting(const char* setter, const char* getter, int value) : single(value)
-      {
+    Setting(const char* setter, const char* getter)
+    {
 #if defined(__unix__) || defined(__APPLE__)
-        set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, setter));
-        get = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, getter));
+      set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, setter));
+      get = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, getter));
 #else
-        static_cast<void>(setter);
-        static_cast<void>(getter);
+      static_cast<void>(setter);
+      static_cast<void>(getter);
 #endif
-      }
-
-      // Sets the value; the result is the one before.
-      int exchange(int value) const
-      {
-        if(set == nullptr || get == nullptr)
-          return value;
-        const int before = get();
-        if(before != value)
-          set(value);
-        return before;
-      }
-    };
-    static const std::array<Setting, 2>& settings()
-    {
-      static const std::array<Setting, 2> found = {
-        {{"openblas_set_num_threads", "openblas_get_num_threads", 1}, {"omp_set_max_active_levels", "omp_get_max_active_levels", 0}}};
-      return found;
     }
-    std::array<int, 2> m_before;
+
+    // Sets the value; the result is the one before.
+    int exchange(int value) const
+    {
+      if(set == nullptr || get == nullptr)
+        return value;
+      const int before = get();
+      if(before != value)
+        set(value);
+      return before;
+    }
   };
+
+  // Each thread has its own.
+  static const Setting& openmp()
+  {
+    static const Setting setting("omp_set_max_active_levels", "omp_get_max_active_levels");
+    return setting;
+  }
+
+  // One for the process, so the last of several users restores it.
+  static const Setting& blas()
+  {
+    static const Setting setting("openblas_set_num_threads", "openblas_get_num_threads");
+    return setting;
+  }
+  struct Use
+  {
+    std::mutex mutex;
+    int users = 0;
+    int threads_before = 1;
+  };
+  static Use& blas_use()
+  {
+    static Use use;
+    return use;
+  }
+
+  int m_openmp_before;
+};
 
 // A function of the BLAS that serves CHOLMOD, null where it cannot be found.
 template <typename Function>
