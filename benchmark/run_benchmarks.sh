@@ -59,6 +59,7 @@ run "kernels" kernels.json "$bin/performance_bench_kernels" --benchmark_format=j
 run "interactive deformation" deform_interactive.csv "$bin/performance_deform_interactive"
 run "splitting iterations" splitting_iterations.csv "$bin/performance_splitting_iterations"
 run "bar experiments" bar_experiments.csv "$bin/quality_bar_experiments" 20 "$seconds"
+run "methods on a solid" volume_methods_results.csv "$bin/performance_volume_methods" --output "$out"
 
 # Folders give way to their files.
 figures=

@@ -51,6 +51,25 @@ BOOST_AUTO_TEST_CASE(constant_laplacian_is_factorized_once)
   check_summary(domain, outcome);
 }
 
+BOOST_AUTO_TEST_CASE(analysis_ahead_of_the_run)
+{
+  using Traits = FFM::Flip_free_map_traits<>;
+  const auto domain = make_domain(bumpy_patch(12, 10));
+  FFM::Positions<2> expected = tutte_start(domain), x = expected;
+  const FFM::Summary at_once = FFM::Map_minimizer<2, Traits>(domain).minimize(expected);
+
+  FFM::Map_minimizer<2, Traits> minimizer(domain);
+  FFM::Summary analysis;
+  BOOST_TEST_REQUIRE(minimizer.analyze(analysis));
+  BOOST_TEST(analysis.factor_entries == at_once.factor_entries);
+  BOOST_TEST(analysis.seconds.analyze > 0);
+  const FFM::Summary later = minimizer.minimize(x);
+  BOOST_TEST(later.seconds.analyze == 0);
+  BOOST_TEST(later.factor_entries == at_once.factor_entries);
+  BOOST_TEST(later.iterations == at_once.iterations);
+  BOOST_TEST((x == expected));
+}
+
 BOOST_AUTO_TEST_CASE(lbfgs_saves_factorizations)
 {
   const auto domain = make_domain(bumpy_patch(12, 10));
