@@ -32,8 +32,12 @@ namespace internal {
 // the matrix of the separator's unknowns. All is done in the same order by one thread and by two, so results are the same.
 class Split_cholesky
 {
+public:
+  static constexpr int LARGEST_BLOCK = 3; // rows
+
+private:
   using Index = Block_sparse_matrix::Index;
-  using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, LARGEST_BLOCK, LARGEST_BLOCK>;
 
 public:
   bool analyze(const Block_sparse_matrix& matrix, const Elimination_split& split)
@@ -43,16 +47,23 @@ public:
     std::array<bool, 2> analyzed;
     with_both([&] { analyzed[0] = m_halves[0].analyze(matrix, split.part(0), split.separator()); },
               [&] { analyzed[1] = m_halves[1].analyze(matrix, split.part(1), split.separator()); });
-    return analyzed[0] && analyzed[1] && analyze_separator();
+    m_separator.clear();
+    return analyzed[0] && analyzed[1];
   }
 
   bool is_supernodal() const { return m_halves[0].factor.is_supernodal(); }
 
-  double entries() const { return m_halves[0].factor.entries() + m_halves[1].factor.entries() + m_separator.entries(); }
+  // The separator's factor is dense.
+  double entries() const
+  {
+    const double m = static_cast<double>(m_number_of_separator_rows);
+    return m_halves[0].factor.entries() + m_halves[1].factor.entries() + m * (m + 1) / 2;
+  }
 
   double operations() const
   {
-    return m_halves[0].factor.operations() + m_halves[1].factor.operations() + m_separator.operations();
+    const double m = static_cast<double>(m_number_of_separator_rows);
+    return m_halves[0].factor.operations() + m_halves[1].factor.operations() + m * m * m / 3;
   }
 
   bool factorize(const Block_sparse_matrix& matrix)
@@ -69,7 +80,7 @@ public:
     m_separator_values.clear();
     for(Index j = 0; j < sum.cols(); ++j)
       m_separator_values.insert(m_separator_values.end(), sum.data() + j * sum.rows() + j, sum.data() + (j + 1) * sum.rows());
-    return m_separator.factorize(separator_view());
+    return (m_separator.is_analyzed() || analyze_separator()) && m_separator.factorize(separator_view());
   }
 
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
@@ -248,21 +259,19 @@ private:
     return cholmod_view(m_number_of_separator_rows, m_separator_columns, m_separator_rows, m_separator_values.data());
   }
 
-  // The separator's matrix is dense.
+  // Only a factorization needs memory for a dense pattern.
   bool analyze_separator()
   {
     const Index m = m_number_of_separator_rows;
     m_separator_columns.resize(m + 1);
     m_separator_rows.clear();
-    m_separator_values.clear();
-    m_separator.clear();
+    m_separator_rows.reserve(m * (m + 1) / 2);
     for(Index j = 0; j <= m; ++j) {
       m_separator_columns[j] = static_cast<Index>(m_separator_rows.size());
       for(Index i = j; i < m; ++i)
         m_separator_rows.push_back(i);
     }
-    m_separator_values.resize(m_separator_rows.size());
-    return m == 0 || m_separator.analyze_in_order(separator_view(), nullptr);
+    return m_separator.analyze_in_order(separator_view(), nullptr);
   }
 
   int m_block_size = 0;

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace CGAL {
@@ -41,33 +42,42 @@ public:
   {}
 
   /// That of the solver in use.
-  std::string name() const { return m_is_direct ? m_direct.name() : m_iterative.name(); }
+  std::string name() const { return m_is_direct ? m_direct->name() : m_iterative.name(); }
   /// That of the solver in use.
-  std::string ordering() const { return m_is_direct ? m_direct.ordering() : m_iterative.ordering(); }
+  std::string ordering() const { return m_is_direct ? m_direct->ordering() : m_iterative.ordering(); }
 
   /// Analyses the pattern for the direct solver, and chooses.
   bool analyze_pattern(const Block_sparse_matrix& matrix)
   {
-    m_fits = m_direct.analyze_pattern(matrix) && ENTRY_BYTES * static_cast<double>(m_direct.factor_entries()) <= m_budget;
+    m_direct = std::make_unique<DirectSolver>();
+    m_fits = m_direct->analyze_pattern(matrix) && ENTRY_BYTES * static_cast<double>(m_direct->factor_entries()) <= m_budget;
     const bool is_slow =
-      matrix.block_size() == 3 && m_direct.factor_operations() > SLOW * static_cast<double>(matrix.number_of_entries());
+      matrix.block_size() == 3 && m_direct->factor_operations() > SLOW * static_cast<double>(matrix.number_of_entries());
     m_is_direct = m_fits && !is_slow;
     m_has_failed = false;
-    return m_is_direct || m_iterative.analyze_pattern(matrix);
+    if(m_is_direct)
+      return true;
+    // What the analysis left would take as much memory as the matrix, and more.
+    m_direct.reset();
+    return m_iterative.analyze_pattern(matrix);
   }
 
   /// Passed on.
   bool factorize(const Block_sparse_matrix& matrix)
   {
-    m_is_direct = m_is_direct || (m_has_failed && m_fits);
-    return m_is_direct ? m_direct.factorize(matrix) : m_iterative.factorize(matrix);
+    if(!m_is_direct && m_has_failed && m_fits) {
+      m_direct = std::make_unique<DirectSolver>();
+      m_is_direct = m_direct->analyze_pattern(matrix);
+      m_has_failed = m_is_direct;
+    }
+    return m_is_direct ? m_direct->factorize(matrix) : m_iterative.factorize(matrix);
   }
 
   /// Passed on.
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
     if(m_is_direct)
-      return m_direct.solve(b, x);
+      return m_direct->solve(b, x);
     const bool solved = m_iterative.solve(b, x);
     m_has_failed = !solved || !m_iterative.converged();
     return solved;
@@ -77,7 +87,7 @@ public:
   int iterations() const { return m_is_direct ? 0 : m_iterative.iterations(); }
 
   /// That of the solver in use.
-  std::int64_t factor_entries() const { return m_is_direct ? m_direct.factor_entries() : m_iterative.factor_entries(); }
+  std::int64_t factor_entries() const { return m_is_direct ? m_direct->factor_entries() : m_iterative.factor_entries(); }
 
 private:
   // A value, and what supernodes and work space take in proportion.
@@ -85,7 +95,7 @@ private:
   static constexpr double SLOW = 3e4;
 
   double m_budget;
-  DirectSolver m_direct;
+  std::unique_ptr<DirectSolver> m_direct = std::make_unique<DirectSolver>();
   Conjugate_gradient_solver<> m_iterative;
   bool m_fits = true;
   bool m_is_direct = true;

@@ -80,7 +80,7 @@ public:
     if(!is_ordered)
       return false;
 
-    if(b * b * b * best->operations() >= SPLIT_THRESHOLD) {
+    if(matrix.block_size() <= internal::Split_cholesky::LARGEST_BLOCK && b * b * b * best->operations() >= SPLIT_THRESHOLD) {
       const internal::Elimination_split split(matrix, best->order(), best->column_counts());
       if(split.is_worthwhile()) {
         best.reset();
