@@ -18,6 +18,7 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Handle_groups.h>
 #include <CGAL/Flip_free_maps/internal/Map_objective.h>
+#include <CGAL/Flip_free_maps/internal/Renewed_factorization.h>
 #include <CGAL/Flip_free_maps/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/characteristic_gradient.h>
@@ -341,10 +342,11 @@ private:
     }
     if(refactorization == Refactorization::restart)
       m_traits.acceleration.reset();
+    renew(run);
 
     m_objective.gather(run.x, run.unknowns);
     const bool solved = m_traits.acceleration.direction(
-      run.unknowns, run.gradient, [this](const Eigen::VectorXd& b, Eigen::VectorXd& y) { return m_solver.solve(b, y); }, run.direction);
+      run.unknowns, run.gradient, [this](const Eigen::VectorXd& b, Eigen::VectorXd& y) { return solve(b, y); }, run.direction);
     double slope = std::numeric_limits<double>::quiet_NaN();
     Line_search_result found;
     if(solved) {
@@ -445,10 +447,26 @@ private:
     return run.progress.characteristic_gradient_norm <= 1 || run.progress.rest_energy <= run.energy_of_isometry + ASTRONOMICAL;
   }
 
+  // Brings a factorization that is kept up to date where the map has changed most.
+  void renew(const Run& run)
+  {
+    if(m_age == 0 || !run.options.renew_factorization || internal::is_constant(m_traits.preconditioner))
+      return;
+    const internal::Phase_timer timer(run.summary.seconds.assemble);
+    m_renewed.renew(m_objective, m_traits.reference, m_factorized_map, run.x);
+  }
+
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& y)
+  {
+    return m_renewed.solve(b, [this](const Eigen::VectorXd& r, Eigen::VectorXd& z) { return m_solver.solve(r, z); }, y);
+  }
+
   bool factorize(Run& run)
   {
     m_is_factorized = true;
     m_age = 0;
+    m_factorized_map = run.x;
+    m_renewed.clear();
     finish_matrix(run);
     if(internal::can_retreat(m_traits.preconditioner)) {
       if(m_solver.try_to_factorize(m_objective.matrix()))
@@ -741,6 +759,8 @@ private:
   internal::Map_objective<D, Traits> m_objective;
   typename Traits::Linear_solver m_linear_solver;
   internal::Robust_solver<typename Traits::Linear_solver> m_solver;
+  internal::Renewed_factorization<D> m_renewed;
+  Positions<D> m_factorized_map;
   std::string m_constraint_error;
   bool m_is_analyzed = false;
   bool m_is_factorized = false;

@@ -133,6 +133,22 @@ public:
     return m;
   }
 
+  // The elements of which f(element) is true, in ascending order.
+  template <typename ConcurrencyTag, typename F>
+  std::vector<std::int64_t> collect(F&& f) const
+  {
+    std::vector<std::vector<std::int64_t>> partial(m_chunks.size());
+    for_each_index<ConcurrencyTag>(m_chunks.size(), [&](std::size_t c) {
+      for(std::int64_t e = m_chunks[c].begin; e < m_chunks[c].end; ++e)
+        if(f(e))
+          partial[c].push_back(e);
+    });
+    std::vector<std::int64_t> elements;
+    for(const std::vector<std::int64_t>& p : partial)
+      elements.insert(elements.end(), p.begin(), p.end());
+    return elements;
+  }
+
 private:
   static constexpr std::int64_t CHUNK_SIZE = 512;
 

@@ -48,6 +48,9 @@ class Map_objective
   static constexpr int PAIRS = D * (D + 1) / 2; // of distinct vertices of an element
 
 public:
+  // The blocks of a matrix for the pairs a <= b of an element's vertices.
+  using Element_blocks = std::array<std::array<Matrix<D>, D + 1>, D + 1>;
+
   Map_objective(const Simplicial_domain<D>& domain, const Energy& energy, const Preconditioner& preconditioner)
     : m_domain(domain), m_energy(energy), m_preconditioner(preconditioner)
   {
@@ -120,6 +123,16 @@ public:
   }
 
   Block_sparse_matrix& matrix() { return m_matrix; }
+  const Block_sparse_matrix& matrix() const { return m_matrix; }
+
+  // Numbers of an element's vertices among the unknowns, -1 for fixed ones.
+  Element unknowns_of_element(std::int64_t e) const
+  {
+    Element unknowns = m_domain.elements[e];
+    for(std::int32_t& v : unknowns)
+      v = m_rows[v];
+    return unknowns;
+  }
 
   // The unknowns among the positions.
   void gather(const Positions<D>& x, Eigen::VectorXd& unknowns) const
@@ -200,7 +213,7 @@ public:
       if(with_matrix) {
         Increment_form<D> form;
         m_preconditioner.form(state, m_energy, form);
-        scatter_form(e, weight, svd.U, hats, form);
+        scatter_blocks(e, form_blocks(weight, svd.U, hats, form));
       }
     });
     if(m_terms.empty())
@@ -232,6 +245,40 @@ public:
       add_forces(e, svd.U * (reference.weight(m_domain, e) * form.multiply(increment)) * svd.V.transpose() * rest_inverse.transpose(),
                  product);
     });
+  }
+
+  // The elements that were deformed or turned most between two maps, by more than `bound`, at most `number` of them and in ascending order:
+  // by the Frobenius norm of F - I, where F maps an element's image at `old` to that at x.
+  std::vector<std::int64_t> most_deformed_elements(const Positions<D>& old, const Positions<D>& x, double bound, std::int64_t number) const
+  {
+    const auto squared_deformation = [&](std::int64_t e) {
+      const Matrix<D> edges = m_domain.image_edges(e, old);
+      return ((m_domain.image_edges(e, x) - edges) * edges.inverse()).squaredNorm();
+    };
+    std::vector<std::int64_t> elements =
+      m_schedule.template collect<Tag>([&](std::int64_t e) { return squared_deformation(e) > bound * bound; });
+    if(static_cast<std::int64_t>(elements.size()) <= number)
+      return elements;
+    std::vector<std::pair<double, std::int64_t>> by_deformation;
+    for(std::int64_t e : elements)
+      by_deformation.emplace_back(-squared_deformation(e), e);
+    std::nth_element(by_deformation.begin(), by_deformation.begin() + number, by_deformation.end());
+    elements.clear();
+    for(std::int64_t i = 0; i < number; ++i)
+      elements.push_back(by_deformation[i].second);
+    std::sort(elements.begin(), elements.end());
+    return elements;
+  }
+
+  // What an element contributes to the preconditioner's matrix at x less what it does at `old`.
+  Element_blocks change_of_element(const Reference& reference, const Positions<D>& old, const Positions<D>& x, std::int64_t e) const
+  {
+    Element_blocks blocks = element_blocks(reference, x, e);
+    const Element_blocks before = element_blocks(reference, old, e);
+    for(int a = 0; a <= D; ++a)
+      for(int b = a; b <= D; ++b)
+        blocks[a][b] -= before[a][b];
+    return blocks;
   }
 
   // The step at which the first element collapses.
@@ -322,11 +369,11 @@ private:
         m_stars[next[v]++] = static_cast<std::int32_t>(e);
   }
 
-  // Adds weight * (B^T H B) of one element, with B the map from its vertices' displacements to dJ. Rows sum to zero, so the blocks of
-  // vertex 0 follow from the others.
-  void scatter_form(std::int64_t e, double weight, const Matrix<D>& U, const Matrix<D>& hats, const Increment_form<D>& form)
+  // weight * (B^T H B) of one element, with B the map from its vertices' displacements to dJ. Rows sum to zero, so the blocks of vertex 0
+  // follow from the others.
+  Element_blocks form_blocks(double weight, const Matrix<D>& U, const Matrix<D>& hats, const Increment_form<D>& form) const
   {
-    std::array<std::array<Matrix<D>, D + 1>, D + 1> blocks;
+    Element_blocks blocks;
     blocks[0][0].setZero();
     for(int k = 1; k <= D; ++k)
       blocks[0][k].setZero();
@@ -344,7 +391,25 @@ private:
     if constexpr(Clamps_element_matrices<Preconditioner>::value)
       if(m_preconditioner.clamps_element_matrices)
         clamp(blocks);
+    return blocks;
+  }
 
+  Element_blocks element_blocks(const Reference& reference, const Positions<D>& x, std::int64_t e) const
+  {
+    const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
+    Signed_svd<D> svd;
+    signed_svd(Matrix<D>(m_domain.image_edges(e, x) * rest_inverse), svd);
+    Element_state<D> state;
+    state.s = svd.s;
+    m_energy.template derivatives<D>(state.s, state.gradient, state.hessian);
+    Increment_form<D> form;
+    m_preconditioner.form(state, m_energy, form);
+    return form_blocks(reference.weight(m_domain, e), svd.U, svd.V.transpose() * rest_inverse.transpose(), form);
+  }
+
+  // Adds the blocks of one element to the matrix.
+  void scatter_blocks(std::int64_t e, const Element_blocks& blocks)
+  {
     const Element& v = m_domain.elements[e];
     int p = 0;
     for(int a = 0; a <= D; ++a) {
@@ -358,7 +423,7 @@ private:
   }
 
   // Projects the matrix of one element on the displacements of its vertices to the positive semidefinite ones.
-  static void clamp(std::array<std::array<Matrix<D>, D + 1>, D + 1>& blocks)
+  static void clamp(Element_blocks& blocks)
   {
     constexpr int SIZE = D * (D + 1);
     Eigen::Matrix<double, SIZE, SIZE> matrix;
