@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace CGAL {
 namespace Flip_free_maps {
 
@@ -45,6 +47,24 @@ struct Symmetric_dirichlet
     gradient = (s.array() - cube) / D;
     hessian.setZero();
     hessian.diagonal() = (1 + 3 * cube * inverse) / D;
+  }
+
+  /// psi of several elements at once: `s[i]` holds the i-th singular value of each.
+  template <int D, typename Lanes>
+  Lanes values(const std::array<Lanes, D>& s) const
+  {
+    Lanes sum = Lanes::Zero();
+    for(const Lanes& s_i : s)
+      sum += s_i.square() + s_i.square().inverse();
+    return sum / (2 * D);
+  }
+
+  /// Derivatives of psi of several elements at once.
+  template <int D, typename Lanes>
+  void gradients(const std::array<Lanes, D>& s, std::array<Lanes, D>& gradient) const
+  {
+    for(int i = 0; i < D; ++i)
+      gradient[i] = (s[i] - s[i].inverse().cube()) / D;
   }
 
   /// The Hessian of the convex part of psi: psi is convex in the singular values, so it is the Hessian itself.

@@ -89,11 +89,20 @@ public:
   template <typename ConcurrencyTag, typename F>
   void scatter(F&& f) const
   {
+    scatter_chunks<ConcurrencyTag>([&f](std::int64_t begin, std::int64_t end) {
+      for(std::int64_t e = begin; e < end; ++e)
+        f(e);
+    });
+  }
+
+  // Calls f(begin, end) for chunks of consecutive elements; f may write to their vertices.
+  template <typename ConcurrencyTag, typename F>
+  void scatter_chunks(F&& f) const
+  {
     for(const std::vector<std::size_t>& color : m_colors)
       for_each_index<ConcurrencyTag>(color.size(), [&](std::size_t i) {
         const Chunk& chunk = m_chunks[color[i]];
-        for(std::int64_t e = chunk.begin; e < chunk.end; ++e)
-          f(e);
+        f(chunk.begin, chunk.end);
       });
   }
 
@@ -101,13 +110,20 @@ public:
   template <typename ConcurrencyTag, typename F>
   double sum(F&& f) const
   {
-    std::vector<double> partial(m_chunks.size());
-    for_each_index<ConcurrencyTag>(m_chunks.size(), [&](std::size_t c) {
+    return sum_of_chunks<ConcurrencyTag>([&f](std::int64_t begin, std::int64_t end) {
       double s = 0;
-      for(std::int64_t e = m_chunks[c].begin; e < m_chunks[c].end; ++e)
+      for(std::int64_t e = begin; e < end; ++e)
         s += f(e);
-      partial[c] = s;
+      return s;
     });
+  }
+
+  // The sum of f(begin, end) over chunks of consecutive elements, always added in the same order.
+  template <typename ConcurrencyTag, typename F>
+  double sum_of_chunks(F&& f) const
+  {
+    std::vector<double> partial(m_chunks.size());
+    for_each_index<ConcurrencyTag>(m_chunks.size(), [&](std::size_t c) { partial[c] = f(m_chunks[c].begin, m_chunks[c].end); });
     double s = 0;
     for(double p : partial)
       s += p;

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/internal/Element_schedule.h>
 #include <CGAL/Flip_free_maps/internal/Signed_svd.h>
+#include <CGAL/Flip_free_maps/internal/Triangle_lanes.h>
 #include <CGAL/Flip_free_maps/internal/Vertex_relaxation.h>
 #include <CGAL/Flip_free_maps/internal/energy_members.h>
 #include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
@@ -46,6 +47,7 @@ class Map_objective
   using Element = typename Simplicial_domain<D>::Element;
 
   static constexpr int PAIRS = D * (D + 1) / 2; // of distinct vertices of an element
+  static constexpr bool USES_LANES = D == 2 && Has_lanes<Energy>::value;
 
 public:
   // The blocks of a matrix for the pairs a <= b of an element's vertices.
@@ -165,12 +167,14 @@ public:
   template <typename AnyReference>
   double mean_energy(const AnyReference& reference, const Positions<D>& x) const
   {
-    const bool is_infinite = has_barrier(m_energy);
-    return m_schedule.template sum<Tag>([&](std::int64_t e) {
-      const Vector<D> s = signed_singular_values(Matrix<D>(m_domain.image_edges(e, x) * reference.rest_inverse(m_domain, e)));
-      if(is_infinite && !(s[D - 1] > 0))
-        return std::numeric_limits<double>::infinity();
-      return reference.weight(m_domain, e) * m_energy.template value<D>(s);
+    return m_schedule.template sum_of_chunks<Tag>([&](std::int64_t begin, std::int64_t end) {
+      double sum = 0;
+      if constexpr(USES_LANES)
+        for(; begin + NUMBER_OF_LANES <= end; begin += NUMBER_OF_LANES)
+          sum += Triangle_lanes(m_domain, reference, begin, x).energy(m_energy);
+      for(; begin < end; ++begin)
+        sum += energy_of_element(reference, begin, x);
+      return sum;
     });
   }
 
@@ -198,23 +202,13 @@ public:
     gradient.setZero(D * std::int64_t(m_number_of_unknowns));
     if(with_matrix)
       m_matrix.set_zero();
-    m_schedule.template scatter<Tag>([&](std::int64_t e) {
-      const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
-      const double weight = reference.weight(m_domain, e);
-      Signed_svd<D> svd;
-      signed_svd(Matrix<D>(m_domain.image_edges(e, x) * rest_inverse), svd);
-      Element_state<D> state;
-      state.s = svd.s;
-      m_energy.template derivatives<D>(state.s, state.gradient, state.hessian);
-
-      // Column k: the gradient of vertex k+1's hat function, turned into the frame of V.
-      const Matrix<D> hats = svd.V.transpose() * rest_inverse.transpose();
-      add_forces(e, svd.U * (weight * (state.gradient.asDiagonal() * hats)), gradient);
-      if(with_matrix) {
-        Increment_form<D> form;
-        m_preconditioner.form(state, m_energy, form);
-        scatter_blocks(e, form_blocks(weight, svd.U, hats, form));
-      }
+    m_schedule.template scatter_chunks<Tag>([&](std::int64_t begin, std::int64_t end) {
+      if constexpr(USES_LANES)
+        for(; !with_matrix && begin + NUMBER_OF_LANES <= end; begin += NUMBER_OF_LANES)
+          Triangle_lanes(m_domain, reference, begin, x)
+            .for_each_gradient(m_energy, [&](int l, const Matrix<2>& forces) { add_forces(begin + l, forces, gradient); });
+      for(; begin < end; ++begin)
+        add_derivatives_of_element(reference, x, begin, with_matrix, gradient);
     });
     if(m_terms.empty())
       return;
@@ -342,6 +336,36 @@ public:
   }
 
 private:
+  template <typename AnyReference>
+  double energy_of_element(const AnyReference& reference, std::int64_t e, const Positions<D>& x) const
+  {
+    const Vector<D> s = signed_singular_values(Matrix<D>(m_domain.image_edges(e, x) * reference.rest_inverse(m_domain, e)));
+    if(has_barrier(m_energy) && !(s[D - 1] > 0))
+      return std::numeric_limits<double>::infinity();
+    return reference.weight(m_domain, e) * m_energy.template value<D>(s);
+  }
+
+  void add_derivatives_of_element(const Reference& reference, const Positions<D>& x, std::int64_t e, bool with_matrix,
+                                  Eigen::VectorXd& gradient)
+  {
+    const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
+    const double weight = reference.weight(m_domain, e);
+    Signed_svd<D> svd;
+    signed_svd(Matrix<D>(m_domain.image_edges(e, x) * rest_inverse), svd);
+    Element_state<D> state;
+    state.s = svd.s;
+    m_energy.template derivatives<D>(state.s, state.gradient, state.hessian);
+
+    // Column k: the gradient of vertex k+1's hat function, turned into the frame of V.
+    const Matrix<D> hats = svd.V.transpose() * rest_inverse.transpose();
+    add_forces(e, svd.U * (weight * (state.gradient.asDiagonal() * hats)), gradient);
+    if(with_matrix) {
+      Increment_form<D> form;
+      m_preconditioner.form(state, m_energy, form);
+      scatter_blocks(e, form_blocks(weight, svd.U, hats, form));
+    }
+  }
+
   // Column k of `forces` acts on vertex k+1 of the element, minus their sum on vertex 0.
   void add_forces(std::int64_t e, const Matrix<D>& forces, Eigen::VectorXd& gradient) const
   {
