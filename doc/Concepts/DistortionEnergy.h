@@ -22,8 +22,10 @@ An energy that exists in one dimension only may define them for that dimension a
 once and must not change the object.
 
 Further members are optional: `slim_target()`, see `CGAL::Flip_free_maps::Slim`; `has_composite_form` and `composite_form()`, see
-`CGAL::Flip_free_maps::Composite_majorization` and `CGAL::Flip_free_maps::Neo_hookean`; and `bool holds_barrier() const`, which
-overrides `has_barrier` for energies that are chosen at run time.
+`CGAL::Flip_free_maps::Composite_majorization` and `CGAL::Flip_free_maps::Neo_hookean`; `bool holds_barrier() const`, which
+overrides `has_barrier` for energies that are chosen at run time; and, for energies with a barrier in the plane, `values()` and
+`gradients()`, which compute several triangles at once with the processor's vector registers, see
+`CGAL::Flip_free_maps::Symmetric_dirichlet`. Without them triangles are computed one by one.
 
 \cgalRefines{CopyConstructible}
 

@@ -33,8 +33,7 @@ struct Symmetric_dirichlet
   template <int D>
   double value(const Eigen::Matrix<double, D, 1>& s) const
   {
-    const Eigen::Array<double, D, 1> squares = s.array().square();
-    return (squares + squares.inverse()).sum() / (2 * D);
+    return terms(Eigen::Array<double, D, 1>(s.array().square())).sum() / (2 * D);
   }
 
   /// First and second derivatives of psi in the singular values.
@@ -44,7 +43,7 @@ struct Symmetric_dirichlet
   {
     const Eigen::Array<double, D, 1> inverse = s.array().inverse();
     const Eigen::Array<double, D, 1> cube = inverse.cube();
-    gradient = (s.array() - cube) / D;
+    gradient = slopes(Eigen::Array<double, D, 1>(s.array()), cube) / D;
     hessian.setZero();
     hessian.diagonal() = (1 + 3 * cube * inverse) / D;
   }
@@ -55,7 +54,7 @@ struct Symmetric_dirichlet
   {
     Lanes sum = Lanes::Zero();
     for(const Lanes& s_i : s)
-      sum += s_i.square() + s_i.square().inverse();
+      sum += terms(Lanes(s_i.square()));
     return sum / (2 * D);
   }
 
@@ -64,7 +63,7 @@ struct Symmetric_dirichlet
   void gradients(const std::array<Lanes, D>& s, std::array<Lanes, D>& gradient) const
   {
     for(int i = 0; i < D; ++i)
-      gradient[i] = (s[i] - s[i].inverse().cube()) / D;
+      gradient[i] = slopes(s[i], Lanes(s[i].inverse().cube())) / D;
   }
 
   /// The Hessian of the convex part of psi: psi is convex in the singular values, so it is the Hessian itself.
@@ -73,6 +72,20 @@ struct Symmetric_dirichlet
                       Eigen::Matrix<double, D, D>& convex) const
   {
     convex = hessian;
+  }
+
+private:
+  // 2D times what each singular value contributes to psi, and half its derivative, for an array of singular values.
+  template <typename Array>
+  static Array terms(const Array& squares)
+  {
+    return squares + squares.inverse();
+  }
+
+  template <typename Array>
+  static Array slopes(const Array& s, const Array& inverse_cubes)
+  {
+    return s - inverse_cubes;
   }
 };
 
