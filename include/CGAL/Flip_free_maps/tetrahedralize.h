@@ -17,7 +17,6 @@
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <array>
@@ -130,12 +129,8 @@ template <typename FaceGraph, typename NamedParameters = parameters::Default_nam
 Status tetrahedralize(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetrahedralization_options& options,
                       std::string& message, const NamedParameters& np = parameters::default_values())
 {
-  if(!options.is_valid(&message))
-    return Status::invalid_option;
-  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                                          get_const_property_map(CGAL::vertex_point, surface));
   internal::Closed_surface closed;
-  const Status status = closed.load(surface, vertex_points, message);
+  const Status status = internal::load_closed_surface(surface, options, np, closed, message);
   if(status != Status::success)
     return status;
   Tetrahedral_mesh result;

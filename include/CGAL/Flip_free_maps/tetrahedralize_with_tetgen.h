@@ -17,7 +17,6 @@
 #include <CGAL/Flip_free_maps/internal/tetgen.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <array>
 #include <charconv>
@@ -196,12 +195,8 @@ template <typename FaceGraph, typename NamedParameters = parameters::Default_nam
 Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetgen_options& options,
                                   std::string& message, const NamedParameters& np = parameters::default_values())
 {
-  if(!options.is_valid(&message))
-    return Status::invalid_option;
-  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                                          get_const_property_map(CGAL::vertex_point, surface));
   internal::Closed_surface closed;
-  const Status status = closed.load(surface, vertex_points, message);
+  const Status status = internal::load_closed_surface(surface, options, np, closed, message);
   if(status != Status::success)
     return status;
   if(closed.number_of_components() > 1) {

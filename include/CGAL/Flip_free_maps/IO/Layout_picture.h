@@ -140,6 +140,17 @@ inline bool fail_without_cairo(const std::string& path, std::string* message)
   return fail(message, "cannot draw " + path + ": built without Cairo");
 }
 
+inline bool write_layout(const std::string& path,
+                         const std::vector<std::array<double, 2> >&,
+                         const std::vector<std::array<int, 3> >&,
+                         const std::vector<double>&,
+                         const Layout_picture_options&,
+                         bool,
+                         std::string* message)
+{
+  return fail_without_cairo(path, message);
+}
+
 #endif
 
 } // namespace internal
@@ -176,15 +187,7 @@ inline bool write_layout_SVG(const std::string& path,
                              const Layout_picture_options& options = Layout_picture_options(),
                              std::string* message = nullptr)
 {
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
   return internal::write_layout(path, uv, triangles, distortion, options, true, message);
-#else
-  static_cast<void>(uv);
-  static_cast<void>(triangles);
-  static_cast<void>(distortion);
-  static_cast<void>(options);
-  return internal::fail_without_cairo(path, message);
-#endif
 }
 
 /*!
@@ -200,15 +203,7 @@ inline bool write_layout_PNG(const std::string& path,
                              const Layout_picture_options& options = Layout_picture_options(),
                              std::string* message = nullptr)
 {
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
   return internal::write_layout(path, uv, triangles, distortion, options, false, message);
-#else
-  static_cast<void>(uv);
-  static_cast<void>(triangles);
-  static_cast<void>(distortion);
-  static_cast<void>(options);
-  return internal::fail_without_cairo(path, message);
-#endif
 }
 
 /*!

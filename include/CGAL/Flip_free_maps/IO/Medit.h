@@ -167,17 +167,7 @@ private:
 */
 inline bool read_Medit(const std::string& path, Tetrahedral_mesh& mesh, std::string* message = nullptr)
 {
-  std::string text;
-  if(!internal::read_whole_file(path, text, message))
-    return false;
-  internal::Medit_reader reader;
-  const std::string error = reader.read(text);
-  if(!error.empty())
-    return internal::fail(message, "cannot read " + path + ": " + error);
-  mesh = std::move(reader.mesh());
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return internal::read_mesh_with<internal::Medit_reader>(path, mesh, message);
 }
 
 /*!

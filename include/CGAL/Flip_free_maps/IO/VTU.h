@@ -333,17 +333,7 @@ inline void append_VTU_arrays(std::string& text, const char* group, const std::v
 */
 inline bool read_VTU(const std::string& path, Tetrahedral_mesh& mesh, std::string* message = nullptr)
 {
-  std::string text;
-  if(!internal::read_whole_file(path, text, message))
-    return false;
-  internal::VTU_reader reader;
-  const std::string error = reader.read(text);
-  if(!error.empty())
-    return internal::fail(message, "cannot read " + path + ": " + error);
-  mesh = std::move(reader.mesh());
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return internal::read_mesh_with<internal::VTU_reader>(path, mesh, message);
 }
 
 /*!

@@ -12,8 +12,10 @@
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -145,6 +147,18 @@ private:
   Kernel::Point_3 m_low{0, 0, 0};
   Kernel::Point_3 m_high{0, 0, 0};
 };
+
+// Checks the options of a mesh generator and loads the surface that it is to fill, with the named parameters of its function.
+template <typename Options, typename FaceGraph, typename NamedParameters>
+Status load_closed_surface(const FaceGraph& surface, const Options& options, const NamedParameters& np, Closed_surface& closed,
+                           std::string& message)
+{
+  if(!options.is_valid(&message))
+    return Status::invalid_option;
+  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                                          get_const_property_map(CGAL::vertex_point, surface));
+  return closed.load(surface, vertex_points, message);
+}
 
 } // namespace internal
 } // namespace Flip_free_maps

@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -80,6 +81,24 @@ inline bool read_whole_file(const std::string& path, std::string& content, std::
   std::fclose(file);
   if(!is_read)
     return fail(message, "cannot read " + path + ": " + std::strerror(read_error));
+  return true;
+}
+
+// Reads a file with a `Reader`: its `read(text)` returns the reason of a failure or the empty string, `mesh()` is the result. `mesh`
+// does not change on failure.
+template <typename Reader, typename Mesh>
+bool read_mesh_with(const std::string& path, Mesh& mesh, std::string* message)
+{
+  std::string text;
+  if(!read_whole_file(path, text, message))
+    return false;
+  Reader reader;
+  const std::string error = reader.read(text);
+  if(!error.empty())
+    return fail(message, "cannot read " + path + ": " + error);
+  mesh = std::move(reader.mesh());
+  if(message != nullptr)
+    message->clear();
   return true;
 }
 
