@@ -32,7 +32,12 @@ struct Adaptive_preconditioner
   int patience = 30;         ///< iterations after which the Killing operator, not having done, is given up
 
   /// Chooses for the next iteration.
-  void begin_iteration(const Run_state& state) { uses_killing = uses_killing && state.iteration < patience; }
+  void begin_iteration(const Run_state& state)
+  {
+    uses_killing = uses_killing && state.iteration < patience;
+    if(!uses_killing)
+      slim_newton.begin_iteration(state);
+  }
 
   /// Writes the form for one element.
   template <int D, typename Energy>
