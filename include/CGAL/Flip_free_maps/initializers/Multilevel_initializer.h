@@ -11,9 +11,12 @@
 #include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/Status.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/internal/Element_schedule.h>
+#include <CGAL/Flip_free_maps/internal/Polar_map.h>
 #include <CGAL/Flip_free_maps/internal/Progressive_disk.h>
+#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
 #include <CGAL/Flip_free_maps/internal/Vertex_placement.h>
 #include <CGAL/Flip_free_maps/internal/count_flips.h>
 
@@ -22,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +37,10 @@ namespace Flip_free_maps {
 /// energy is least. The map is optimised again each time the number of triangles has grown by a factor. Large deformations are thus
 /// found on few triangles, and every vertex is placed at a size that double precision handles, so that long thin tubes, on which
 /// Tutte embeddings collapse, are no obstacle.
+///
+/// On a very long closed tube with one open end each ring lies around the next. Simplified to rings of three vertices it becomes a pile of
+/// triangles, which hundreds of rings of more vertices do not leave any more. Where a map in polar coordinates promises a lower energy than
+/// a simplified surface has, it is the start.
 ///
 /// \tparam Traits must be a model of `MapTraits`, whose minimizer optimises the levels
 ///
@@ -74,6 +82,8 @@ public:
     // Where even the simplified surface has no flip-free embedding in double precision, simpler ones are tried.
     std::string start_name;
     bool is_thin = false;
+    internal::Polar_map polar_map(domain);
+    bool has_polar_map = false;
     for(std::int64_t wanted = m_traits.start.coarsest_size;; wanted /= 4) {
       disk.template coarsen<Tag>(wanted);
       std::vector<std::int32_t> vertices;
@@ -90,6 +100,8 @@ public:
       }
       if(wanted < 12)
         return Status::start_not_flip_free;
+      if(!is_thin)
+        has_polar_map = polar_map.build(make_solver);
       is_thin = true;
     }
     std::int64_t optimized = disk.number_of_triangles();
@@ -119,14 +131,22 @@ public:
           return status;
         optimized = disk.number_of_triangles();
         ++levels;
+        if(has_polar_map && polar_map.energy() < POLAR_ADVANTAGE * mean_distortion(level, y)) {
+          has_polar_map = false;
+          Positions<2> polar;
+          polar_map.place(polar);
+          if(count_flips(domain, polar) == 0) {
+            x = std::move(polar);
+            name = "polar coordinates; instead of " + name + "; " + std::to_string(levels) + " levels)";
+            return Status::success;
+          }
+        }
       }
     }
     placement.relax_distorted(LARGEST_DISTORTION, DISTORTED_SWEEPS);
     name += "; " + std::to_string(passes) + " passes, " + std::to_string(levels) + " levels)";
 
-    internal::Element_schedule schedule;
-    schedule.build(domain.elements, domain.number_of_vertices);
-    const std::int64_t flips = internal::count_flips<Kernel, Tag>(domain, schedule, x);
+    const std::int64_t flips = count_flips(domain, x);
     if(flips != 0) {
       message = "the multilevel start has " + std::to_string(flips) + " flipped elements";
       return Status::start_not_flip_free;
@@ -135,6 +155,22 @@ public:
   }
 
 private:
+  static std::int64_t count_flips(const Simplicial_domain<2>& domain, const Positions<2>& x)
+  {
+    internal::Element_schedule schedule;
+    schedule.build(domain.elements, domain.number_of_vertices);
+    return internal::count_flips<Kernel, Tag>(domain, schedule, x);
+  }
+
+  // The mean symmetric Dirichlet energy of a level, whatever energy it was optimised for.
+  static double mean_distortion(const Simplicial_domain<2>& level, const Positions<2>& y)
+  {
+    double sum = 0;
+    for(std::int64_t e = 0; e < level.number_of_elements(); ++e)
+      sum += level.measures[e] * Symmetric_dirichlet().value<2>(internal::signed_singular_values(level.jacobian(e, y)));
+    return sum;
+  }
+
   Status optimize(const Simplicial_domain<2>& level, const std::vector<std::int32_t>& vertices, Positions<2>& y, Positions<2>& x,
                   std::string& message)
   {
@@ -187,6 +223,8 @@ private:
     return false;
   }
 
+  // A polar map is taken when its energy is below this times that of a simplified surface, which is still far from smooth.
+  static constexpr double POLAR_ADVANTAGE = 0.8;
   static constexpr int ROUNDS = 6; // of trying to place a vertex
   static constexpr std::size_t CHUNK_SIZE = 256; // vertices that are placed by one thread
   static constexpr int SWEEPS = 5; // over all vertices of a thin surface, after each pass
