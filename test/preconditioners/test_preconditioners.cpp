@@ -365,6 +365,30 @@ BOOST_AUTO_TEST_CASE(slim_newton_chooses_by_energy)
   check_slim_newton<3>();
 }
 
+BOOST_AUTO_TEST_CASE(slim_newton_gives_slim_up_where_distortion_stays)
+{
+  const FFM::Symmetric_dirichlet energy;
+  const Vector<2> distorted(30, 0.05);
+  const Full_matrix<2> slim = frame_matrix<2>(FFM::Slim(), energy, distorted);
+  const Full_matrix<2> newton = frame_matrix<2>(FFM::Projected_newton(), energy, distorted);
+  FFM::Slim_newton both;
+  const auto after = [&](int iteration, double decrease, double fraction) {
+    FFM::Run_state state;
+    state.iteration = iteration;
+    state.relative_decrease = decrease;
+    state.distorted_fraction = [fraction](double) { return fraction; };
+    both.begin_iteration(state);
+    return frame_matrix<2>(both, energy, distorted);
+  };
+  BOOST_TEST((after(1, 0.01, 0.01) - slim).norm() == 0);
+  BOOST_TEST((after(2, 0.5, 0.9) - slim).norm() == 0);
+  BOOST_TEST((after(4, 0.01, 0.3) - newton).norm() == 0);
+  BOOST_TEST((after(5, 0.01, 0.01) - newton).norm() == 0);
+  BOOST_TEST((after(8, 0.01, 0.01) - slim).norm() == 0);
+  after(16, 0.01, 0.3);
+  BOOST_TEST((after(0, 1, 0.3) - slim).norm() == 0);
+}
+
 BOOST_AUTO_TEST_CASE(killing)
 {
   check_killing<2>();
