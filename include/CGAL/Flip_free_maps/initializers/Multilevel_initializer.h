@@ -227,7 +227,7 @@ private:
   static constexpr double POLAR_ADVANTAGE = 0.8;
   static constexpr int ROUNDS = 6; // of trying to place a vertex
   static constexpr std::size_t CHUNK_SIZE = 256; // vertices that are placed by one thread
-  static constexpr int SWEEPS = 5; // over all vertices of a thin surface, after each pass
+  static constexpr int SWEEPS = 2; // over all vertices of a thin surface, after each pass
   // Before a level is optimised, the vertices of distorted triangles are relaxed one by one. That costs little and spares the optimisation the
   // triangles that would hold it up.
   static constexpr double LARGEST_DISTORTION = 1.5;
