@@ -20,8 +20,8 @@ namespace Flip_free_maps {
 namespace internal {
 
 // The radius as a function of the depth, 0 at depth 0, for which a map in polar coordinates has the least symmetric Dirichlet energy. It
-// is linear between knots. With the gradients of depth and angle perpendicular to each other, the singular values of the map are radius' |grad depth| and
-// radius |grad angle|; so the energy is convex in the radii of the knots, with a tridiagonal Hessian.
+// is linear between knots. With the gradients of depth and angle perpendicular to each other, the singular values of the map are
+// radius' |grad depth| and radius |grad angle|; so the energy is convex in the radii of the knots, with a tridiagonal Hessian.
 class Radial_profile
 {
 public:
@@ -174,7 +174,8 @@ private:
   {
     double direct = 0, inverse = 0;
     for(std::size_t k = 0; k < m_intervals.size(); ++k)
-      for(const auto& [term, s] : {std::make_pair(m_intervals[k].radial, slope(k)), std::make_pair(m_intervals[k].tangential, middle(k))}) {
+      for(const auto& [term, s] :
+          {std::make_pair(m_intervals[k].radial, slope(k)), std::make_pair(m_intervals[k].tangential, middle(k))}) {
         direct += term.direct * s * s;
         inverse += term.inverse / (s * s);
       }
