@@ -104,13 +104,17 @@ public:
         has_polar_map = polar_map.build(make_solver);
       is_thin = true;
     }
-    std::int64_t optimized = disk.number_of_triangles();
-    name = "multilevel (" + std::to_string(optimized) + " faces by " + start_name;
+    const std::int64_t coarsest = disk.number_of_triangles();
+    name = "multilevel (" + std::to_string(coarsest) + " faces by " + start_name;
     const std::size_t passes = disk.number_of_passes();
     int levels = 1;
     // On long thin tubes the sizes of triangles differ by many orders of magnitude until distances along the tube are right; the vertices are
     // moved into place one by one before all together, and more often.
-    const double level_ratio = is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
+    const double wanted_ratio = is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
+    // The same ratio between all sizes, that of the surface itself included.
+    const double growth = std::log(static_cast<double>(domain.number_of_elements()) / disk.number_of_triangles());
+    const double steps = (std::max)(1., std::round(growth / std::log((std::max)(wanted_ratio, 1.1))));
+    const double level_ratio = std::exp(growth / steps);
     while(disk.number_of_passes() > 0) {
       if(!put_back(disk, x, message))
         return Status::start_not_flip_free;
@@ -119,8 +123,8 @@ public:
           for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
             if(disk.is_awake(v))
               placement.relax(v, 1);
-      if(disk.number_of_passes() > 0 && disk.number_of_triangles() >= level_ratio * optimized &&
-         level_ratio * disk.number_of_triangles() <= 1.5 * domain.number_of_elements()) {
+      if(disk.number_of_passes() > 0 && levels < steps &&
+         disk.number_of_triangles() >= NEAR_LEVEL * std::pow(level_ratio, levels) * coarsest) {
         std::vector<std::int32_t> vertices;
         const Simplicial_domain<2> level = disk.domain(vertices);
         Positions<2> y(2, vertices.size());
@@ -129,7 +133,6 @@ public:
         const Status status = optimize(level, vertices, y, x, message);
         if(status != Status::success)
           return status;
-        optimized = disk.number_of_triangles();
         ++levels;
         if(has_polar_map && polar_map.energy() < POLAR_ADVANTAGE * mean_distortion(level, y)) {
           has_polar_map = false;
@@ -200,10 +203,7 @@ private:
       internal::for_each_index<Tag>((pass.size() + CHUNK_SIZE - 1) / CHUNK_SIZE, [&](std::size_t c) {
         Placement placement(disk, m_traits.energy, x);
         for(std::size_t i = c * CHUNK_SIZE; i < (std::min)(pass.size(), (c + 1) * CHUNK_SIZE); ++i)
-          if(placement.enter_kernel(pass[i])) {
-            placement.relax(pass[i], 2);
-            is_placed[i] = 1;
-          }
+          is_placed[i] = placement.place(pass[i], NEWTON_STEPS);
       });
       waiting.clear();
       for(std::size_t i = 0; i < pass.size(); ++i)
@@ -227,6 +227,8 @@ private:
   static constexpr double POLAR_ADVANTAGE = 0.8;
   static constexpr int ROUNDS = 6; // of trying to place a vertex
   static constexpr std::size_t CHUNK_SIZE = 256; // vertices that are placed by one thread
+  static constexpr int NEWTON_STEPS = 4; // for a vertex that is put back; most need one
+  static constexpr double NEAR_LEVEL = 0.88; // passes increase the number of triangles by about 1.3
   static constexpr int SWEEPS = 2; // over all vertices of a thin surface, after each pass
   // Before a level is optimised, the vertices of distorted triangles are relaxed one by one. That costs little and spares the optimisation the
   // triangles that would hold it up.
