@@ -110,11 +110,10 @@ public:
     int levels = 1;
     // On long thin tubes the sizes of triangles differ by many orders of magnitude until distances along the tube are right; the vertices are
     // moved into place one by one before all together, and more often.
-    const double wanted_ratio = is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
-    // The same ratio between all sizes, that of the surface itself included.
-    const double growth = std::log(static_cast<double>(domain.number_of_elements()) / disk.number_of_triangles());
-    const double steps = (std::max)(1., std::round(growth / std::log((std::max)(wanted_ratio, 1.1))));
-    const double level_ratio = std::exp(growth / steps);
+    const double level_ratio = is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
+    // Levels are spread evenly up to the surface itself: the last ones cost most, and a gap behind them costs more.
+    const double growth = std::log(static_cast<double>(domain.number_of_elements()) / coarsest);
+    const int sizes = (std::max)(1, static_cast<int>(std::round(growth / std::log((std::max)(level_ratio, 1.1)))));
     while(disk.number_of_passes() > 0) {
       if(!put_back(disk, x, message))
         return Status::start_not_flip_free;
@@ -123,8 +122,9 @@ public:
           for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
             if(disk.is_awake(v))
               placement.relax(v, 1);
-      if(disk.number_of_passes() > 0 && levels < steps &&
-         disk.number_of_triangles() >= NEAR_LEVEL * std::pow(level_ratio, levels) * coarsest) {
+      if(disk.number_of_passes() > 0 && levels < sizes &&
+         disk.number_of_triangles() >= NEAR_LEVEL * coarsest * std::exp(growth * levels / sizes)) {
+        placement.relax_distorted(LARGEST_DISTORTION, DISTORTED_SWEEPS);
         std::vector<std::int32_t> vertices;
         const Simplicial_domain<2> level = disk.domain(vertices);
         Positions<2> y(2, vertices.size());
@@ -228,10 +228,10 @@ private:
   static constexpr int ROUNDS = 6; // of trying to place a vertex
   static constexpr std::size_t CHUNK_SIZE = 256; // vertices that are placed by one thread
   static constexpr int NEWTON_STEPS = 4; // for a vertex that is put back; most need one
-  static constexpr double NEAR_LEVEL = 0.88; // passes increase the number of triangles by about 1.3
+  static constexpr double NEAR_LEVEL = 0.88; // since passes multiply the number of triangles by about 1.3
   static constexpr int SWEEPS = 2; // over all vertices of a thin surface, after each pass
-  // Before a level is optimised, the vertices of distorted triangles are relaxed one by one. That costs little and spares the optimisation the
-  // triangles that would hold it up.
+  // Before a level is optimised, and at the end, the vertices of distorted triangles are relaxed one by one. That costs little and spares the
+  // optimisation the triangles that would hold it up.
   static constexpr double LARGEST_DISTORTION = 1.5;
   static constexpr int DISTORTED_SWEEPS = 2;
 

@@ -46,7 +46,7 @@ struct Start_options
   /// From this number of faces on, the start is found from coarse to fine; below, or when negative, by a Tutte embedding.
   std::int64_t multilevel_size = 1000;
   std::int64_t coarsest_size = 800;                ///< faces of the simplest surface
-  double level_ratio = 3;                          ///< the map is optimised when the number of faces has grown by this factor
+  double level_ratio = 3.5;                        ///< the map is optimised each time the number of faces has grown by about this factor
   double level_tolerance = 1e-3;                   ///< relative decrease of the energy at which such an optimisation ends
   /// Whether triangles are laid in the plane next to each other first. The result is the start if none is flipped and they are distorted
   /// little, as on developable surfaces, where it is the isometry.

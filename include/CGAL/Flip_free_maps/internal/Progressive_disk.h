@@ -142,7 +142,7 @@ public:
     while(m_number_of_triangles > wanted && severity < SEVERITIES) {
       const std::int64_t before = m_number_of_triangles;
       coarsen_once<ConcurrencyTag>(wanted, LIMITS[severity]);
-      // Thin surfaces stall at strict limits: then shape gives way.
+      // Thin surfaces stall at strict limits: then shape gives way. Passes that remove little are not worth their time.
       if(before - m_number_of_triangles < before / 10)
         ++severity;
     }
@@ -297,6 +297,7 @@ private:
     double squared_side; // opposite of v
   };
 
+  // Those around one vertex that may be removed.
   struct Corners
   {
     std::array<Corner, LARGEST_VALENCE> data;
@@ -451,7 +452,7 @@ private:
       for(std::size_t i = 0; i < n; ++i)
         consider(ends[i], edges[i]);
     }
-    collapse.cost = static_cast<float>(least);
+    collapse.cost = static_cast<float>((std::max)(least, 0.));
   }
 
   // Chooses the cheapest possible collapse within the limits, where the guessed one is not.
