@@ -228,15 +228,10 @@ public:
     product.setZero(D * std::int64_t(m_number_of_unknowns));
     m_schedule.template scatter<Tag>([&](std::int64_t e) {
       const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
-      Signed_svd<D> svd;
-      signed_svd(Matrix<D>(m_domain.image_edges(e, x) * rest_inverse), svd);
-      Element_state<D> state;
-      state.s = svd.s;
-      m_energy.template derivatives<D>(state.s, state.gradient, state.hessian);
-      Increment_form<D> form;
-      m_preconditioner.form(state, m_energy, form);
-      const Matrix<D> increment = svd.U.transpose() * m_domain.image_edges(e, displacement) * rest_inverse * svd.V;
-      add_forces(e, svd.U * (reference.weight(m_domain, e) * form.multiply(increment)) * svd.V.transpose() * rest_inverse.transpose(),
+      const Evaluation at_x = evaluate(rest_inverse, x, e);
+      const Matrix<D>&U = at_x.svd.U, &V = at_x.svd.V;
+      const Matrix<D> increment = U.transpose() * m_domain.image_edges(e, displacement) * rest_inverse * V;
+      add_forces(e, U * (reference.weight(m_domain, e) * form(at_x.state).multiply(increment)) * V.transpose() * rest_inverse.transpose(),
                  product);
     });
   }
@@ -336,6 +331,29 @@ public:
   }
 
 private:
+  // An element's Jacobian and the derivatives of the energy there.
+  struct Evaluation
+  {
+    Signed_svd<D> svd;
+    Element_state<D> state;
+  };
+
+  Evaluation evaluate(const Matrix<D>& rest_inverse, const Positions<D>& x, std::int64_t e) const
+  {
+    Evaluation result;
+    signed_svd(Matrix<D>(m_domain.image_edges(e, x) * rest_inverse), result.svd);
+    result.state.s = result.svd.s;
+    m_energy.template derivatives<D>(result.state.s, result.state.gradient, result.state.hessian);
+    return result;
+  }
+
+  Increment_form<D> form(const Element_state<D>& state) const
+  {
+    Increment_form<D> result;
+    m_preconditioner.form(state, m_energy, result);
+    return result;
+  }
+
   template <typename AnyReference>
   double energy_of_element(const AnyReference& reference, std::int64_t e, const Positions<D>& x) const
   {
@@ -350,20 +368,12 @@ private:
   {
     const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
     const double weight = reference.weight(m_domain, e);
-    Signed_svd<D> svd;
-    signed_svd(Matrix<D>(m_domain.image_edges(e, x) * rest_inverse), svd);
-    Element_state<D> state;
-    state.s = svd.s;
-    m_energy.template derivatives<D>(state.s, state.gradient, state.hessian);
-
+    const Evaluation at_x = evaluate(rest_inverse, x, e);
     // Column k: the gradient of vertex k+1's hat function, turned into the frame of V.
-    const Matrix<D> hats = svd.V.transpose() * rest_inverse.transpose();
-    add_forces(e, svd.U * (weight * (state.gradient.asDiagonal() * hats)), gradient);
-    if(with_matrix) {
-      Increment_form<D> form;
-      m_preconditioner.form(state, m_energy, form);
-      scatter_blocks(e, form_blocks(weight, svd.U, hats, form));
-    }
+    const Matrix<D> hats = at_x.svd.V.transpose() * rest_inverse.transpose();
+    add_forces(e, at_x.svd.U * (weight * (at_x.state.gradient.asDiagonal() * hats)), gradient);
+    if(with_matrix)
+      scatter_blocks(e, form_blocks(weight, at_x.svd.U, hats, form(at_x.state)));
   }
 
   // Column k of `forces` acts on vertex k+1 of the element, minus their sum on vertex 0.
@@ -421,14 +431,8 @@ private:
   Element_blocks element_blocks(const Reference& reference, const Positions<D>& x, std::int64_t e) const
   {
     const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
-    Signed_svd<D> svd;
-    signed_svd(Matrix<D>(m_domain.image_edges(e, x) * rest_inverse), svd);
-    Element_state<D> state;
-    state.s = svd.s;
-    m_energy.template derivatives<D>(state.s, state.gradient, state.hessian);
-    Increment_form<D> form;
-    m_preconditioner.form(state, m_energy, form);
-    return form_blocks(reference.weight(m_domain, e), svd.U, svd.V.transpose() * rest_inverse.transpose(), form);
+    const Evaluation at_x = evaluate(rest_inverse, x, e);
+    return form_blocks(reference.weight(m_domain, e), at_x.svd.U, at_x.svd.V.transpose() * rest_inverse.transpose(), form(at_x.state));
   }
 
   // Adds the blocks of one element to the matrix.

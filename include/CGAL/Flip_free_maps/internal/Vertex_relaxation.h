@@ -25,6 +25,29 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
+// Newton steps of one vertex, for the class below.
+template <int D, typename Relaxation, typename IsPositive>
+void take_newton_steps(const Relaxation& relaxation, Vector<D>& u, int steps, IsPositive&& is_positive)
+{
+  const Map_options options;
+  double energy = relaxation.energy_at(u);
+  for(int step = 0; step < steps && std::isfinite(energy); ++step) {
+    Vector<D> gradient, direction;
+    if(!relaxation.newton_direction(u, gradient, direction))
+      return;
+    const double slope = gradient.dot(direction);
+    if(!(slope < -1e-4 * energy))
+      return;
+    const Line_search_result found = line_search([&](double a) { return relaxation.energy_at(u + a * direction); }, energy, slope,
+                                                 relaxation.largest_step(u, direction), false, options);
+    const Vector<D> next = u + found.step * direction;
+    if(!found.success || !is_positive(next))
+      return;
+    u = next;
+    energy = found.energy;
+  }
+}
+
 // Moves one vertex of a map to where the energy of the elements around it is least, by Newton steps that never flip one. When the
 // vertex moves by u, the Jacobian of an element around it changes by u times the gradient of the vertex' hat function, transposed:
 // it is affine in u, and its determinant too.
@@ -58,24 +81,26 @@ public:
   template <typename IsPositive>
   void relax(Vector<D>& u, int steps, IsPositive&& is_positive) const
   {
-    double energy = energy_at(u);
-    for(int step = 0; step < steps && std::isfinite(energy); ++step) {
-      Vector<D> gradient;
-      Matrix<D> hessian;
-      derivatives_at(u, gradient, hessian);
-      hessian.diagonal() *= 1 + 1e-9;
-      const Vector<D> direction = -hessian.inverse() * gradient;
-      const double slope = gradient.dot(direction);
-      if(!(slope < -1e-4 * energy))
-        return;
-      const Line_search_result found = line_search([&](double a) { return energy_at(u + a * direction); }, energy, slope,
-                                                   largest_step(u, direction), false, m_options);
-      const Vector<D> next = u + found.step * direction;
-      if(!found.success || !is_positive(next))
-        return;
-      u = next;
-      energy = found.energy;
-    }
+    take_newton_steps<D>(*this, u, steps, is_positive);
+  }
+
+  // The Newton direction, if there is one, and the gradient.
+  bool newton_direction(const Vector<D>& u, Vector<D>& gradient, Vector<D>& direction) const
+  {
+    Matrix<D> hessian;
+    derivatives_at(u, gradient, hessian);
+    hessian.diagonal() *= 1 + 1e-9;
+    direction = -hessian.inverse() * gradient;
+    return true;
+  }
+
+  // The step at which the first element collapses: det(J + a d g^T) = det J (1 + a g^T J^-1 d).
+  double largest_step(const Vector<D>& u, const Vector<D>& direction) const
+  {
+    double slope = 0;
+    for(const Element& element : m_elements)
+      slope = (std::min)(slope, element.hat.dot(element.jacobian_at(u).inverse() * direction));
+    return slope < 0 ? -1 / slope : std::numeric_limits<double>::infinity();
   }
 
 private:
@@ -106,17 +131,7 @@ private:
     }
   }
 
-  // det(J + a d g^T) = det J (1 + a g^T J^-1 d)
-  double largest_step(const Vector<D>& u, const Vector<D>& direction) const
-  {
-    double slope = 0;
-    for(const Element& element : m_elements)
-      slope = (std::min)(slope, element.hat.dot(element.jacobian_at(u).inverse() * direction));
-    return slope < 0 ? -1 / slope : std::numeric_limits<double>::infinity();
-  }
-
   const Energy& m_energy;
-  Map_options m_options;
   std::vector<Element> m_elements;
 };
 
@@ -151,26 +166,26 @@ public:
   template <typename IsPositive>
   void relax(Vector<2>& u, int steps, IsPositive&& is_positive) const
   {
-    double energy = energy_at(u);
-    for(int step = 0; step < steps && std::isfinite(energy); ++step) {
-      Vector<2> gradient, direction;
-      Matrix<2> hessian;
-      derivatives_at(u, gradient, hessian);
-      if(!make_positive(hessian))
-        return;
-      direction << hessian(0, 1) * gradient[1] - hessian(1, 1) * gradient[0], hessian(0, 1) * gradient[0] - hessian(0, 0) * gradient[1];
-      direction /= hessian.determinant();
-      const double slope = gradient.dot(direction);
-      if(!(slope < -1e-4 * energy))
-        return;
-      const Line_search_result found = line_search([&](double a) { return energy_at(u + a * direction); }, energy, slope,
-                                                   largest_step(u, direction), false, m_options);
-      const Vector<2> next = u + found.step * direction;
-      if(!found.success || !is_positive(next))
-        return;
-      u = next;
-      energy = found.energy;
-    }
+    take_newton_steps<2>(*this, u, steps, is_positive);
+  }
+
+  bool newton_direction(const Vector<2>& u, Vector<2>& gradient, Vector<2>& direction) const
+  {
+    Matrix<2> hessian;
+    derivatives_at(u, gradient, hessian);
+    if(!make_positive(hessian))
+      return false;
+    direction << hessian(0, 1) * gradient[1] - hessian(1, 1) * gradient[0], hessian(0, 1) * gradient[0] - hessian(0, 0) * gradient[1];
+    direction /= hessian.determinant();
+    return true;
+  }
+
+  double largest_step(const Vector<2>& u, const Vector<2>& direction) const
+  {
+    double slope = 0;
+    for(const Element& element : m_elements)
+      slope = (std::min)(slope, element.determinant_slope.dot(direction) / element.determinant_at(u));
+    return slope < 0 ? -1 / slope : std::numeric_limits<double>::infinity();
   }
 
 private:
@@ -219,15 +234,6 @@ private:
     return true;
   }
 
-  double largest_step(const Vector<2>& u, const Vector<2>& direction) const
-  {
-    double slope = 0;
-    for(const Element& element : m_elements)
-      slope = (std::min)(slope, element.determinant_slope.dot(direction) / element.determinant_at(u));
-    return slope < 0 ? -1 / slope : std::numeric_limits<double>::infinity();
-  }
-
-  Map_options m_options;
   std::vector<Element> m_elements;
 };
 
