@@ -15,12 +15,14 @@ which the next step is taken.
 A further member function is optional: `bool extrapolate(const Eigen::VectorXd& x, Eigen::VectorXd& displacement)`, called after
 every accepted step on the rest shape with its result. If it returns `true`, the minimizer goes on by `displacement`, or as far
 along it as no element flips, before the next gradient is computed, unless that undoes the last decrease of the energy; then
-`reset()` is called.
+`reset()` is called. With the optional constant `needs_current_matrix`, if it is `true`, the minimizer assembles the preconditioner's matrix in
+every iteration, factorized or not, for the function `multiply()` below.
 
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_free_maps::Any_acceleration}
+\cgalHasModels{CGAL::Flip_free_maps::Inexact_newton}
 \cgalHasModels{CGAL::Flip_free_maps::Lbfgs}
 \cgalHasModels{CGAL::Flip_free_maps::Nesterov}
 \cgalHasModels{CGAL::Flip_free_maps::No_acceleration}
@@ -39,7 +41,9 @@ public:
 
   /// Computes a direction.
   /// \tparam Solve is a functor `bool operator()(const Eigen::VectorXd& b, Eigen::VectorXd& y)`, which sets y to the inverse of
-  ///   the last factorized matrix times b. It returns `false` if that failed. b and y must be different objects.
+  ///   the last factorized matrix times b. It returns `false` if that failed. b and y must be different objects. It has a member
+  ///   function `void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& product) const`, the product of p with the matrix of the current
+  ///   map, which is meaningful where `needs_current_matrix` is `true`.
   /// \param x the current positions of the vertices that are not fixed, coordinates of one vertex side by side
   /// \param gradient the gradient of the energy there, in the same layout
   /// \param solve applies the inverse of the preconditioner

@@ -13,6 +13,7 @@
 
 #include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/accelerations/Inexact_newton.h>
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
 #include <CGAL/Flip_free_maps/accelerations/Nesterov.h>
 #include <CGAL/Flip_free_maps/concepts.h>
@@ -383,6 +384,7 @@ BOOST_AUTO_TEST_CASE(models)
   BOOST_CONCEPT_ASSERT((FFM::ReferenceConcept<FFM::Progressive_reference, 3>));
   BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::No_acceleration>));
   BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Nesterov>));
+  BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Inexact_newton>));
   BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Lbfgs>));
   BOOST_CONCEPT_ASSERT((FFM::RefactorizationRuleConcept<FFM::Every_iteration>));
   BOOST_CONCEPT_ASSERT((FFM::RefactorizationRuleConcept<FFM::On_demand>));

@@ -52,6 +52,13 @@ struct Has_extrapolate<Acceleration, std::void_t<decltype(std::declval<Accelerat
                                        std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>()))>>
   : std::true_type {};
 
+// Whether an acceleration multiplies by the matrix of the current map.
+template <typename Acceleration, typename = void>
+struct Needs_current_matrix : std::false_type {};
+
+template <typename Acceleration>
+struct Needs_current_matrix<Acceleration, std::enable_if_t<Acceleration::needs_current_matrix>> : std::true_type {};
+
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -72,6 +79,8 @@ class Map_minimizer
   using Kernel = typename Traits::Kernel;
   using Tag = typename Traits::Concurrency_tag;
   using Preconditioner = typename Traits::Preconditioner;
+
+  static constexpr bool NEEDS_CURRENT_MATRIX = internal::Needs_current_matrix<typename Traits::Acceleration>::value;
 
 public:
   /// Keeps a reference to `domain`, which must outlive this object, and copies of the others.
@@ -326,14 +335,15 @@ private:
     if(m_is_factorized && !internal::is_constant(m_traits.preconditioner) && m_age > 0)
       refactorization = m_traits.refactorization_rule(m_age, progress.step, progress.relative_decrease);
     const bool with_matrix = refactorization != Refactorization::none;
+    const bool assembles = with_matrix || NEEDS_CURRENT_MATRIX;
     // A start may be the solution already; then no pattern is needed.
-    differentiate(run, with_matrix && m_is_analyzed);
+    differentiate(run, assembles && m_is_analyzed);
     if(run.retries == 0 && has_ended(run, with_matrix))
       return false;
     if(!m_is_analyzed) {
       if(!analyze_or_fail(summary))
         return false;
-      differentiate(run, with_matrix);
+      differentiate(run, assembles);
     }
 
     if(with_matrix && !factorize(run)) {
@@ -342,11 +352,12 @@ private:
     }
     if(refactorization == Refactorization::restart)
       m_traits.acceleration.reset();
+    if(assembles && !with_matrix)
+      finish_matrix(run);
     renew(run);
 
     m_objective.gather(run.x, run.unknowns);
-    const bool solved = m_traits.acceleration.direction(
-      run.unknowns, run.gradient, [this](const Eigen::VectorXd& b, Eigen::VectorXd& y) { return solve(b, y); }, run.direction);
+    const bool solved = m_traits.acceleration.direction(run.unknowns, run.gradient, Linear_algebra{*this}, run.direction);
     double slope = std::numeric_limits<double>::quiet_NaN();
     Line_search_result found;
     if(solved) {
@@ -447,10 +458,23 @@ private:
     return run.progress.characteristic_gradient_norm <= 1 || run.progress.rest_energy <= run.energy_of_isometry + ASTRONOMICAL;
   }
 
-  // Brings a factorization that is kept up to date where the map has changed most.
+  // What accelerations are given.
+  struct Linear_algebra
+  {
+    bool operator()(const Eigen::VectorXd& b, Eigen::VectorXd& y) const { return minimizer.solve(b, y); }
+
+    void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& product) const
+    {
+      product.noalias() = minimizer.m_objective.matrix().lower().template selfadjointView<Eigen::Lower>() * p;
+    }
+
+    Map_minimizer& minimizer;
+  };
+
+  // Brings a factorization that is kept up to date where the map has changed most. It needs the matrix that was factorized.
   void renew(const Run& run)
   {
-    if(m_age == 0 || !run.options.renew_factorization || internal::is_constant(m_traits.preconditioner))
+    if(NEEDS_CURRENT_MATRIX || m_age == 0 || !run.options.renew_factorization || internal::is_constant(m_traits.preconditioner))
       return;
     const internal::Phase_timer timer(run.summary.seconds.assemble);
     m_renewed.renew(m_objective, m_traits.reference, m_factorized_map, run.x);

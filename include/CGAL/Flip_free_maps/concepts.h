@@ -166,6 +166,7 @@ private:
   struct Solve
   {
     bool operator()(const Eigen::VectorXd&, Eigen::VectorXd&) const { return false; }
+    void multiply(const Eigen::VectorXd&, Eigen::VectorXd&) const {}
   };
   static void requirements(A& acceleration, const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, Eigen::VectorXd& direction)
   {
