@@ -24,7 +24,7 @@ once and must not change the object.
 Further members are optional: `slim_target()`, see `CGAL::Flip_free_maps::Slim`; `has_composite_form` and `composite_form()`, see
 `CGAL::Flip_free_maps::Composite_majorization` and `CGAL::Flip_free_maps::Neo_hookean`; `bool holds_barrier() const`, which
 overrides `has_barrier` for energies that are chosen at run time; and, for energies with a barrier in the plane, `values()` and
-`gradients()`, which compute several triangles at once with the processor's vector registers, see
+`gradients()`, which compute several triangles at once with the processor's vector registers, and the type `Vectorized_energy`, the energy itself, see
 `CGAL::Flip_free_maps::Symmetric_dirichlet`. Without them triangles are computed one by one.
 
 \cgalRefines{CopyConstructible}

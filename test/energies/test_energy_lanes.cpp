@@ -44,8 +44,18 @@ struct One_at_a_time
   }
 };
 
+// Inherits the functions for several elements, which are not its own.
+struct Doubled : FFM::Symmetric_dirichlet
+{
+  template <int D>
+  double value(const Eigen::Matrix<double, D, 1>& s) const
+  {
+    return 2 * FFM::Symmetric_dirichlet::value<D>(s);
+  }
+};
+
 static_assert(FFM::internal::Has_lanes<FFM::Symmetric_dirichlet>::value, "the default energy has lanes");
-static_assert(!FFM::internal::Has_lanes<One_at_a_time>::value, "this one has not");
+static_assert(!FFM::internal::Has_lanes<One_at_a_time>::value && !FFM::internal::Has_lanes<Doubled>::value, "these have not");
 
 template <typename Energy>
 struct Objective
@@ -111,6 +121,14 @@ BOOST_AUTO_TEST_CASE(meshes_of_all_sizes)
       const Distorted_example<2> example(columns, rows);
       check_same(example.domain, example.x);
     }
+}
+
+BOOST_AUTO_TEST_CASE(an_energy_that_inherits_has_its_own_value)
+{
+  const Distorted_example<2> example(6, 5);
+  Objective<FFM::Symmetric_dirichlet> base(example.domain);
+  Objective<Doubled> doubled(example.domain);
+  BOOST_TEST(doubled.value(example.x) == 2 * base.value(example.x), boost::test_tools::tolerance(1e-13));
 }
 
 // Isometries and similarities, where the reflected part of the Jacobian vanishes.

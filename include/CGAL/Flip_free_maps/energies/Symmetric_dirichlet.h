@@ -26,6 +26,9 @@ struct Symmetric_dirichlet
   /// Infinite on elements of measure zero.
   static constexpr bool has_barrier = true;
 
+  /// Says that this very class, none that inherits from it, has `values()` and `gradients()`.
+  using Vectorized_energy = Symmetric_dirichlet;
+
   /// "symmetric_dirichlet"
   static const char* name() { return "symmetric_dirichlet"; }
 

@@ -143,7 +143,7 @@ public:
       const std::int64_t before = m_number_of_triangles;
       coarsen_once<ConcurrencyTag>(wanted, LIMITS[severity]);
       // Thin surfaces stall at strict limits: then shape gives way. Passes that remove little are not worth their time.
-      if(before - m_number_of_triangles < before / 10)
+      if(before - m_number_of_triangles < (std::max)(std::int64_t(1), before / 10))
         ++severity;
     }
   }

@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -27,14 +26,14 @@ namespace internal {
 constexpr int NUMBER_OF_LANES = EIGEN_MAX_ALIGN_BYTES >= 64 ? 8 : EIGEN_MAX_ALIGN_BYTES >= 32 ? 4 : 2;
 using Lanes = Eigen::Array<double, NUMBER_OF_LANES, 1>;
 
-// Whether an energy has `values()` and `gradients()`, of many elements at once. Without a barrier the smaller singular value may vanish, which
-// the formulas below do not bear.
+// Whether an energy computes several elements at once. A class that inherits from such an energy, and may have another value(), does not.
+// Without a barrier the smaller singular value may vanish, which the formulas below do not bear.
 template <typename Energy, typename = void>
 struct Has_lanes : std::false_type {};
 
 template <typename Energy>
-struct Has_lanes<Energy, std::void_t<decltype(std::declval<const Energy&>().template values<2, Lanes>(
-                           std::declval<const std::array<Lanes, 2>&>()))>> : std::bool_constant<Energy::has_barrier> {};
+struct Has_lanes<Energy, std::void_t<typename Energy::Vectorized_energy>>
+  : std::bool_constant<std::is_same<typename Energy::Vectorized_energy, Energy>::value && Energy::has_barrier> {};
 
 // Consecutive triangles of a planar domain, one in each lane: their Jacobians J = A R, where A holds the edges of the image and R is the
 // inverse of those of the rest shape. With alpha = (J_00 + J_11, J_10 - J_01) and beta = (J_00 - J_11, J_10 + J_01), J is half the sum of a
