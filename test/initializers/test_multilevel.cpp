@@ -102,6 +102,19 @@ BOOST_AUTO_TEST_CASE(simplification_keeps_a_disk_and_is_undone_exactly)
   }
 }
 
+// Fewer triangles are asked for than a disk can have.
+BOOST_AUTO_TEST_CASE(simplification_of_small_disks_ends)
+{
+  for(int columns = 1; columns <= 6; ++columns) {
+    const auto domain = make_domain(bumpy_patch(columns, 1));
+    FFM::internal::Progressive_disk disk(domain);
+    disk.coarsen<CGAL::Parallel_if_available_tag>(0);
+    BOOST_TEST(disk.number_of_triangles() >= 1);
+    std::vector<std::int32_t> vertices;
+    check_disk(disk.domain(vertices));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(removing_again_undoes_restoring)
 {
   const auto domain = make_domain(bumpy_patch(12, 9));
