@@ -12,11 +12,12 @@
 The concept `Acceleration` describes what is made of successive gradients and the factorized preconditioner: the direction in
 which the next step is taken.
 
-A further member function is optional: `bool extrapolate(const Eigen::VectorXd& x, Eigen::VectorXd& displacement)`, called after
-every accepted step on the rest shape with its result. If it returns `true`, the minimizer goes on by `displacement`, or as far
-along it as no element flips, before the next gradient is computed, unless that undoes the last decrease of the energy; then
-`reset()` is called. With the optional constant `needs_current_matrix`, if it is `true`, the minimizer assembles the preconditioner's matrix in
-every iteration, factorized or not, for the function `multiply()` below.
+Two further member functions are optional.
+- `bool extrapolate(const Eigen::VectorXd& x, Eigen::VectorXd& displacement)` is called after every accepted step on the rest shape with
+  its result. If it returns `true`, the minimizer goes on by `displacement`, or as far along it as no element flips, before the next
+  gradient is computed, unless that undoes the last decrease of the energy; then `reset()` is called.
+- `bool needs_current_matrix() const`: if it returns `true`, always, the minimizer assembles the preconditioner's matrix in every
+  iteration, factorized or not, for the function `multiply()` below.
 
 \cgalRefines{CopyConstructible}
 
@@ -42,8 +43,8 @@ public:
   /// Computes a direction.
   /// \tparam Solve is a functor `bool operator()(const Eigen::VectorXd& b, Eigen::VectorXd& y)`, which sets y to the inverse of
   ///   the last factorized matrix times b. It returns `false` if that failed. b and y must be different objects. It has a member
-  ///   function `void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& product) const`, the product of p with the matrix of the current
-  ///   map, which is meaningful where `needs_current_matrix` is `true`.
+  ///   function `void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& product) const`, the product of p with the matrix of the
+  ///   current map, which is meaningful where `needs_current_matrix()` returns `true`.
   /// \param x the current positions of the vertices that are not fixed, coordinates of one vertex side by side
   /// \param gradient the gradient of the energy there, in the same layout
   /// \param solve applies the inverse of the preconditioner

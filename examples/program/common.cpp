@@ -324,14 +324,18 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
     ->check(CLI::PositiveNumber);
   command
     .add_option("--preconditioner", arguments.preconditioner,
-                "how directions are found; other than default: with a factorization in each iteration, from a Tutte embedding")
+                "how directions are found; other than default: with a factorization in each iteration, unless --acceleration keeps "
+                "them, from a Tutte embedding")
     ->check(CLI::IsMember(names(preconditioners())))
     ->capture_default_str();
   command.add_option("--reference", arguments.reference, "what distortion is measured against on the way")
     ->check(CLI::IsMember({"default", "fixed", "progressive"}))
     ->capture_default_str();
-  command.add_option("--acceleration", arguments.acceleration, "what is made of successive directions")
-    ->check(CLI::IsMember({"default", "none", "nesterov", "lbfgs"}))
+  command
+    .add_option("--acceleration", arguments.acceleration,
+                "what is made of successive directions; inexact-newton: the direction of the current matrix, by conjugate gradients "
+                "with the last factorization, for high accuracy with few factorizations")
+    ->check(CLI::IsMember({"default", "none", "nesterov", "lbfgs", "inexact-newton"}))
     ->capture_default_str();
   std::vector<std::string> solvers{"default", "eigen"};
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
@@ -413,6 +417,9 @@ FFM::Any_map_traits make_traits(const Method_arguments& arguments)
     traits.acceleration = FFM::Any_acceleration(FFM::Lbfgs());
     traits.refactorization_rule = FFM::On_demand();
     traits.options.begin_with_largest_step = false;
+  } else if(arguments.acceleration == "inexact-newton") {
+    traits.acceleration = FFM::Any_acceleration(FFM::Inexact_newton());
+    traits.refactorization_rule = FFM::On_demand();
   }
   if(arguments.linear_solver == "eigen")
     traits.use_linear_solver<FFM::Eigen_simplicial_solver>();

@@ -386,6 +386,7 @@ BOOST_AUTO_TEST_CASE(models)
   BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Nesterov>));
   BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Inexact_newton>));
   BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Lbfgs>));
+  BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<FFM::Any_acceleration>));
   BOOST_CONCEPT_ASSERT((FFM::RefactorizationRuleConcept<FFM::Every_iteration>));
   BOOST_CONCEPT_ASSERT((FFM::RefactorizationRuleConcept<FFM::On_demand>));
 

@@ -329,16 +329,22 @@ for preconditioner in default laplacian killing slim cm newton; do
   check "$preconditioner finds the same energy" close "$(value p.json energy)" "$energy" 1e-6
   expect 0 measure p.obj
 done
+for preconditioner in default killing slim cm newton plain-newton; do
+  expect 0 parameterize sheet.off --json p.json --preconditioner $preconditioner --acceleration inexact-newton --tolerance 1e-8
+  check "$preconditioner, inexact-newton: converges" test "$(value p.json converged)" = true
+  check "$preconditioner, inexact-newton: same energy" close "$(value p.json energy)" "$energy" 1e-6
+  check "$preconditioner, inexact-newton: keeps factorizations" less "$(value p.json factorizations)" "$(value p.json iterations)"
+done
 for method in default pp cm slim akvf p-cm p-slim p-akvf aqp sobolev newton projected-newton; do
   expect 0 parameterize sheet.off -o m.obj --json m.json --method $method --tolerance 1e-6 --max-iterations 20000
   check "method $method converges" test "$(value m.json status)" = success
   check "method $method finds the same energy" close "$(value m.json energy)" "$energy" 1e-6
   expect 0 measure m.obj
 done
-for acceleration in none nesterov lbfgs; do
+for acceleration in none nesterov lbfgs inexact-newton; do
   for reference in fixed progressive; do
     expect 0 parameterize sheet.off --json m.json --acceleration $acceleration --reference $reference --tolerance 1e-6
-    check "$acceleration is used" test "$(value m.json acceleration)" = $acceleration
+    check "$acceleration is used" test "$(value m.json acceleration)" = ${acceleration/-/_}
     check "$reference is used" test "$(value m.json reference)" = $reference
     check "$acceleration, $reference: same energy" close "$(value m.json energy)" "$energy" 1e-6
   done
@@ -626,6 +632,12 @@ for dimension in 2 3; do
       --max-iterations 20000
     check "$shape: $method converges" test "$(value method.json status)" = success
     check "$shape: $method finds the same energy" close "$(value method.json energy)" "$bent" 1e-6
+  done
+  for preconditioner in default laplacian killing slim newton absolute-newton vertex-space-newton plain-newton hybrid; do
+    expect 0 deform $shape --handles index_$dimension.txt --preconditioner $preconditioner --acceleration inexact-newton \
+      --json method.json --tolerance 1e-6 --max-iterations 20000
+    check "$shape: inexact-newton is used" test "$(value method.json acceleration)" = inexact_newton
+    check "$shape: $preconditioner, inexact-newton: same energy" close "$(value method.json energy)" "$bent" 1e-6
   done
   expect 0 deform $shape --handles index_$dimension.txt --method splitting --json method.json --tolerance 1e-7 --max-iterations 20000
   check "$shape: splitting finds the same energy" close "$(value method.json energy)" "$bent" 1e-4

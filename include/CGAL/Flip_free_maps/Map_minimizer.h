@@ -21,6 +21,7 @@
 #include <CGAL/Flip_free_maps/internal/Renewed_factorization.h>
 #include <CGAL/Flip_free_maps/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/acceleration_members.h>
 #include <CGAL/Flip_free_maps/internal/characteristic_gradient.h>
 #include <CGAL/Flip_free_maps/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
@@ -36,30 +37,10 @@
 #include <memory>
 #include <new>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
-
-namespace internal {
-
-template <typename Acceleration, typename = void>
-struct Has_extrapolate : std::false_type {};
-
-template <typename Acceleration>
-struct Has_extrapolate<Acceleration, std::void_t<decltype(std::declval<Acceleration&>().extrapolate(
-                                       std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>()))>>
-  : std::true_type {};
-
-// Whether an acceleration multiplies by the matrix of the current map.
-template <typename Acceleration, typename = void>
-struct Needs_current_matrix : std::false_type {};
-
-template <typename Acceleration>
-struct Needs_current_matrix<Acceleration, std::enable_if_t<Acceleration::needs_current_matrix>> : std::true_type {};
-
-} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Minimises the mean distortion energy of a map without ever flipping an element. Each iteration finds a direction by
@@ -79,8 +60,6 @@ class Map_minimizer
   using Kernel = typename Traits::Kernel;
   using Tag = typename Traits::Concurrency_tag;
   using Preconditioner = typename Traits::Preconditioner;
-
-  static constexpr bool NEEDS_CURRENT_MATRIX = internal::Needs_current_matrix<typename Traits::Acceleration>::value;
 
 public:
   /// Keeps a reference to `domain`, which must outlive this object, and copies of the others.
@@ -335,7 +314,7 @@ private:
     if(m_is_factorized && !internal::is_constant(m_traits.preconditioner) && m_age > 0)
       refactorization = m_traits.refactorization_rule(m_age, progress.step, progress.relative_decrease);
     const bool with_matrix = refactorization != Refactorization::none;
-    const bool assembles = with_matrix || NEEDS_CURRENT_MATRIX;
+    const bool assembles = with_matrix || multiplies_by_current_matrix();
     // A start may be the solution already; then no pattern is needed.
     differentiate(run, assembles && m_is_analyzed);
     if(run.retries == 0 && has_ended(run, with_matrix))
@@ -458,6 +437,12 @@ private:
     return run.progress.characteristic_gradient_norm <= 1 || run.progress.rest_energy <= run.energy_of_isometry + ASTRONOMICAL;
   }
 
+  // Whether the acceleration needs a matrix that is not the one of the last factorization.
+  bool multiplies_by_current_matrix() const
+  {
+    return internal::needs_current_matrix(m_traits.acceleration) && !internal::is_constant(m_traits.preconditioner);
+  }
+
   // What accelerations are given.
   struct Linear_algebra
   {
@@ -474,7 +459,8 @@ private:
   // Brings a factorization that is kept up to date where the map has changed most. It needs the matrix that was factorized.
   void renew(const Run& run)
   {
-    if(NEEDS_CURRENT_MATRIX || m_age == 0 || !run.options.renew_factorization || internal::is_constant(m_traits.preconditioner))
+    if(m_age == 0 || !run.options.renew_factorization || internal::is_constant(m_traits.preconditioner) ||
+       internal::needs_current_matrix(m_traits.acceleration))
       return;
     const internal::Phase_timer timer(run.summary.seconds.assemble);
     m_renewed.renew(m_objective, m_traits.reference, m_factorized_map, run.x);

@@ -8,9 +8,11 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ACCELERATIONS_ANY_ACCELERATION_H
 #define CGAL_FLIP_FREE_MAPS_ACCELERATIONS_ANY_ACCELERATION_H
 
+#include <CGAL/Flip_free_maps/accelerations/Inexact_newton.h>
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
 #include <CGAL/Flip_free_maps/accelerations/Nesterov.h>
 #include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
+#include <CGAL/Flip_free_maps/internal/acceleration_members.h>
 
 #include <string>
 #include <utility>
@@ -30,6 +32,8 @@ public:
   Any_acceleration() = default;
   /// Holds a `Lbfgs`.
   explicit Any_acceleration(const Lbfgs& acceleration) : m_acceleration(acceleration) {}
+  /// Holds an `Inexact_newton`.
+  explicit Any_acceleration(const Inexact_newton& acceleration) : m_acceleration(acceleration) {}
   /// Holds a `Nesterov`.
   explicit Any_acceleration(const Nesterov& acceleration) : m_acceleration(acceleration) {}
   /// Holds a `No_acceleration`.
@@ -42,6 +46,12 @@ public:
   std::string acceleration_name() const
   {
     return std::visit([](const auto& acceleration) { return std::string(acceleration.name()); }, m_acceleration);
+  }
+
+  /// Whether the acceleration that is held multiplies by the matrix of the current map.
+  bool needs_current_matrix() const
+  {
+    return std::visit([](const auto& acceleration) { return internal::needs_current_matrix(acceleration); }, m_acceleration);
   }
 
   /// Passed on.
@@ -65,7 +75,7 @@ public:
   }
 
 private:
-  std::variant<Lbfgs, Nesterov, No_acceleration> m_acceleration;
+  std::variant<Lbfgs, Inexact_newton, Nesterov, No_acceleration> m_acceleration;
 };
 
 } // namespace Flip_free_maps

@@ -28,11 +28,11 @@ namespace Flip_free_maps {
 class Inexact_newton
 {
 public:
-  /// The minimizer assembles the matrix in each iteration.
-  static constexpr bool needs_current_matrix = true;
-
   /// "inexact_newton"
   static const char* name() { return "inexact_newton"; }
+
+  /// `true`: the minimizer assembles the matrix in each iteration.
+  bool needs_current_matrix() const { return true; }
 
   /// Norm of the residual at which conjugate gradients end, relative to that of the gradient, at most; near the optimum it is the ratio of the
   /// gradient to the first one, so that convergence is superlinear.
@@ -46,8 +46,6 @@ public:
   void reset() { m_first_gradient = 0; }
 
   /// The direction at a map with this gradient. Conjugate gradients end early where the matrix is not positive.
-  /// \tparam Solve also has a function `void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& product)`, which multiplies by the
-  ///   current matrix
   template <typename Solve>
   bool direction(const Eigen::VectorXd& /* x */, const Eigen::VectorXd& gradient, Solve&& solve, Eigen::VectorXd& direction)
   {
