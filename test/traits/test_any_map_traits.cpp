@@ -152,3 +152,18 @@ BOOST_FIXTURE_TEST_CASE(choices_are_independent, Fixture)
   BOOST_TEST(summary.linear_solver == FFM::Eigen_simplicial_solver().name());
   BOOST_TEST(std::abs(summary.energy - run(traits).energy) <= 1e-6);
 }
+
+// What was chosen instead of a part of the default method stays.
+BOOST_AUTO_TEST_CASE(only_the_default_method_is_adapted_to_developable_surfaces)
+{
+  FFM::Any_map_traits whole, accelerated, preconditioned;
+  accelerated.acceleration = FFM::Any_acceleration(FFM::Inexact_newton());
+  preconditioned.preconditioner = FFM::Any_preconditioner(FFM::Slim());
+  for(FFM::Any_map_traits* traits : {&whole, &accelerated, &preconditioned})
+    traits->adapt_to_developable_surface();
+  BOOST_TEST(whole.start.unfold);
+  BOOST_TEST(!accelerated.start.unfold);
+  BOOST_TEST(!preconditioned.start.unfold);
+  BOOST_TEST(accelerated.acceleration.acceleration_name() == "inexact_newton");
+  BOOST_TEST(preconditioned.preconditioner.preconditioner_name() == "slim");
+}

@@ -125,12 +125,13 @@ public:
     return true;
   }
 
-  /// As the function of `Flip_free_map_traits`, if the method is the default.
+  /// As the function of `Flip_free_map_traits`, if the method is the default and still has its preconditioner and its acceleration.
   void adapt_to_developable_surface()
   {
-    if(!m_is_default)
-      return;
     Flip_free_map_traits<> defaults;
+    if(!m_is_default || preconditioner.preconditioner_name() != defaults.preconditioner.name() ||
+       acceleration.acceleration_name() != defaults.acceleration.name())
+      return;
     defaults.adapt_to_developable_surface();
     preconditioner = Any_preconditioner(defaults.preconditioner);
     acceleration = Any_acceleration(defaults.acceleration);
