@@ -8,7 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_MAP_OPTIONS_H
 #define CGAL_FLIP_FREE_MAPS_MAP_OPTIONS_H
 
-#include <cmath>
+#include <CGAL/Flip_free_maps/internal/check_limits.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
+
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -95,34 +97,22 @@ struct Map_options
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
-    const auto fail = [message](const char* text) {
-      if(message != nullptr)
-        *message = text;
-      return false;
-    };
-    const auto is_tolerance = [](double value) { return value >= 0 && std::isfinite(value); };
-    if(!is_tolerance(characteristic_gradient_tolerance) || !is_tolerance(gradient_tolerance) ||
-       !is_tolerance(relative_energy_tolerance))
-      return fail("tolerances must be finite and not negative");
+    if(!internal::is_tolerance(characteristic_gradient_tolerance) || !internal::is_tolerance(gradient_tolerance) ||
+       !internal::is_tolerance(relative_energy_tolerance))
+      return internal::fail(message, "tolerances must be finite and not negative");
     if(!(memory_budget >= 0))
-      return fail("memory_budget must not be negative");
+      return internal::fail(message, "memory_budget must not be negative");
     if(stagnation_iterations < 1)
-      return fail("stagnation_iterations must be at least 1");
-    if(std::isnan(target_energy))
-      return fail("target_energy must not be NaN");
-    if(max_iterations < 0)
-      return fail("max_iterations must not be negative");
-    if(!(max_seconds >= 0))
-      return fail("max_seconds must not be negative");
+      return internal::fail(message, "stagnation_iterations must be at least 1");
     if(!(step_fraction > 0 && step_fraction < 1))
-      return fail("step_fraction must be in (0, 1)");
+      return internal::fail(message, "step_fraction must be in (0, 1)");
     if(!(armijo > 0 && armijo < 0.5))
-      return fail("armijo must be in (0, 1/2)");
-    if(!is_tolerance(tikhonov))
-      return fail("tikhonov must be finite and not negative");
+      return internal::fail(message, "armijo must be in (0, 1/2)");
+    if(!internal::is_tolerance(tikhonov))
+      return internal::fail(message, "tikhonov must be finite and not negative");
     if(max_line_search_steps < 1)
-      return fail("max_line_search_steps must be at least 1");
-    return true;
+      return internal::fail(message, "max_line_search_steps must be at least 1");
+    return internal::check_limits(*this, message);
   }
 };
 

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_PACKING_OPTIONS_H
 
 #include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 
 #include <string>
 
@@ -28,11 +29,7 @@ struct Packing_options
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
-    if(margin > 0 && margin <= 0.5)
-      return true;
-    if(message != nullptr)
-      *message = "the margin must be positive and at most 1/2";
-    return false;
+    return (margin > 0 && margin <= 0.5) || internal::fail(message, "the margin must be positive and at most 1/2");
   }
 };
 

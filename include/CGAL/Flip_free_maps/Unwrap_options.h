@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_UNWRAP_OPTIONS_H
 
 #include <CGAL/Flip_free_maps/Packing_options.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 #include <CGAL/Flip_free_maps/seams/Cut_options.h>
 
 #include <cstdint>
@@ -52,17 +53,12 @@ struct Unwrap_options
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
-    const auto fail = [message](const char* text) {
-      if(message != nullptr)
-        *message = text;
-      return false;
-    };
     if(!cut.is_valid(message) || !packing.is_valid(message))
       return false;
     if(!(max_distortion > 1))
-      return fail("max_distortion must be above 1");
+      return internal::fail(message, "max_distortion must be above 1");
     if(!(max_seconds >= 0))
-      return fail("max_seconds must not be negative");
+      return internal::fail(message, "max_seconds must not be negative");
     return true;
   }
 };

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/border_crossings.h>
 #include <CGAL/Flip_free_maps/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 
 #include <CGAL/number_utils.h>
 
@@ -34,28 +35,23 @@ namespace internal {
 // borders wind around it, since all triangles are positive; so it suffices that the borders are disjoint and wind around nothing twice.
 inline bool is_bijective(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x, std::string* message = nullptr)
 {
-  const auto fail = [message](const char* text) {
-    if(message != nullptr)
-      *message = text;
-    return false;
-  };
   if(!x.allFinite())
-    return fail("a coordinate of the map is NaN or infinite");
+    return fail(message, "a coordinate of the map is NaN or infinite");
   for(const auto& element : elements)
     if(!is_positively_oriented<Exact_kernel>(element, x))
-      return fail("a triangle is flipped or collapsed");
+      return fail(message, "a triangle is flipped or collapsed");
   Border_curves border;
   if(!border.load(elements, static_cast<std::int32_t>(x.cols())))
-    return fail("the surface touches itself at a vertex or an edge");
+    return fail(message, "the surface touches itself at a vertex or an edge");
   bool is_crossed = false;
   border.for_each_crossing(x, [&is_crossed](std::int32_t, std::int32_t) {
     is_crossed = true;
     return false;
   });
   if(is_crossed)
-    return fail("the image of the border crosses or touches itself");
+    return fail(message, "the image of the border crosses or touches itself");
   if(!border.are_nested(x))
-    return fail("a part of the surface covers another one");
+    return fail(message, "a part of the surface covers another one");
   return true;
 }
 

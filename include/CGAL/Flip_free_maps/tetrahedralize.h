@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/Status.h>
 #include <CGAL/Flip_free_maps/internal/Closed_surface.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
@@ -51,11 +52,8 @@ struct Tetrahedralization_options
   bool is_valid(std::string* message = nullptr) const
   {
     const auto check = [message](const char* name, double value, double low, double high) {
-      if(value >= low && value <= high)
-        return true;
-      if(message != nullptr)
-        *message = std::string(name) + " is not from " + std::to_string(low) + " to " + std::to_string(high);
-      return false;
+      return (value >= low && value <= high) ||
+             internal::fail(message, std::string(name) + " is not from " + std::to_string(low) + " to " + std::to_string(high));
     };
     return check("cell_size", cell_size, 0.001, 1) && check("facet_distance", facet_distance, 1e-5, 1) &&
            check("facet_angle", facet_angle, 0, 30) && check("cell_radius_edge_ratio", cell_radius_edge_ratio, 2, 1e6) &&

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/Status.h>
 #include <CGAL/Flip_free_maps/internal/Closed_surface.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 #include <CGAL/Flip_free_maps/internal/run_apart.h>
 #include <CGAL/Flip_free_maps/internal/tetgen.h>
 
@@ -46,14 +47,11 @@ struct Tetgen_options
   /// Checks the ranges; when a value is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
-    const char* fault = nullptr;
     if(!(cell_size >= 0.001 && cell_size <= 1))
-      fault = "cell_size is not from 0.001 to 1";
-    else if(radius_edge_ratio != 0 && !(radius_edge_ratio >= 1.2 && std::isfinite(radius_edge_ratio)))
-      fault = "radius_edge_ratio is neither 0 nor at least 1.2";
-    if(fault != nullptr && message != nullptr)
-      *message = fault;
-    return fault == nullptr;
+      return internal::fail(message, "cell_size is not from 0.001 to 1");
+    if(radius_edge_ratio != 0 && !(radius_edge_ratio >= 1.2 && std::isfinite(radius_edge_ratio)))
+      return internal::fail(message, "radius_edge_ratio is neither 0 nor at least 1.2");
+    return true;
   }
 };
 

@@ -226,9 +226,7 @@ bool read_handles(const std::string& path, const Positions<D>& points, Handles<D
   if(!error.empty())
     return internal::fail(message, "cannot read " + path + ": " + error);
   handles = reader.handles();
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return internal::succeed(message);
 }
 
 } // namespace Flip_free_maps

@@ -77,17 +77,22 @@ inline std::string layout_picture_options_error(const Layout_picture_options& op
   return std::string();
 }
 
-inline bool write_image_as_PNG(const std::string& path, cairo_surface_t* surface, std::string* message)
+inline bool write_picture(const std::string& path, const std::string& content, cairo_status_t status, std::string* message)
 {
-  std::string content;
-  const cairo_status_t status = cairo_surface_write_to_png_stream(surface, &append_to_string, &content);
   if(status != CAIRO_STATUS_SUCCESS)
     return fail(message, "cannot draw " + path + ": " + cairo_status_to_string(status));
-  if(!write_whole_file(path, content, message))
-    return false;
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return write_whole_file(path, content, message);
+}
+
+// Ends a drawing with `context` on an image.
+inline bool write_image_as_PNG(const std::string& path, cairo_surface_t* surface, Cairo_context& context, std::string* message)
+{
+  std::string content;
+  cairo_status_t status = cairo_status(context.get());
+  context.reset();
+  if(status == CAIRO_STATUS_SUCCESS)
+    status = cairo_surface_write_to_png_stream(surface, &append_to_string, &content);
+  return write_picture(path, content, status, message);
 }
 
 inline bool write_layout(const std::string& path,
@@ -116,21 +121,15 @@ inline bool write_layout(const std::string& path,
     : cairo_image_surface_create(CAIRO_FORMAT_RGB24, painter.width(), painter.height()));
   Cairo_context context(cairo_create(surface.get()));
   painter.draw(context.get(), !is_SVG || triangles.size() > max_vector_triangles, options.max_triangles_with_lines);
+  if(!is_SVG)
+    return write_image_as_PNG(path, surface.get(), context, message);
+
   cairo_status_t status = cairo_status(context.get());
   context.reset();
-  if(status == CAIRO_STATUS_SUCCESS && !is_SVG)
-    return write_image_as_PNG(path, surface.get(), message);
-
   cairo_surface_finish(surface.get());
   if(status == CAIRO_STATUS_SUCCESS)
     status = cairo_surface_status(surface.get());
-  if(status != CAIRO_STATUS_SUCCESS)
-    return fail(message, "cannot draw " + path + ": " + cairo_status_to_string(status));
-  if(!write_whole_file(path, content, message))
-    return false;
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return write_picture(path, content, status, message);
 }
 
 #else
@@ -239,11 +238,7 @@ inline bool write_checkerboard_PNG(const std::string& path, int size, int square
                       square_begin(j + 1) - square_begin(j));
     cairo_fill(context.get());
   }
-  const cairo_status_t status = cairo_status(context.get());
-  context.reset();
-  if(status != CAIRO_STATUS_SUCCESS)
-    return internal::fail(message, "cannot draw " + path + ": " + cairo_status_to_string(status));
-  return internal::write_image_as_PNG(path, surface.get(), message);
+  return internal::write_image_as_PNG(path, surface.get(), context, message);
 #else
   static_cast<void>(size);
   static_cast<void>(squares);

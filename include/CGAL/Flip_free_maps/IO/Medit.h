@@ -209,11 +209,7 @@ inline bool write_Medit(const std::string& path, const Tetrahedral_mesh& mesh, s
   append_section("Triangles", mesh.triangles);
   append_section("Tetrahedra", mesh.tetrahedra);
   text += "End\n";
-  if(!internal::write_whole_file(path, text, message))
-    return false;
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return internal::write_whole_file(path, text, message);
 }
 
 } // namespace Flip_free_maps

@@ -470,9 +470,7 @@ inline bool read_textured_OBJ(const std::string& path, Textured_mesh& mesh, std:
   if(!error.empty())
     return internal::fail(message, path + ", " + error);
   mesh = std::move(reader.mesh());
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return internal::succeed(message);
 }
 
 } // namespace Flip_free_maps

@@ -116,7 +116,7 @@ public:
     return std::string();
   }
 
-  cairo_status_t draw(cairo_t* context)
+  void draw(cairo_t* context)
   {
     const double font_size = (std::max)(10., (std::min)(m_options.width / 90., m_options.height / 26.));
     const double margin = 1.2 * font_size, legend_width = m_has_values ? 8.5 * font_size : 0.;
@@ -148,7 +148,6 @@ public:
     }
     if(m_has_values)
       draw_legend(context, m_options.width - margin - legend_width + font_size, plot_top, plot_height, font_size);
-    return cairo_status(context);
   }
 
 private:
@@ -373,11 +372,8 @@ inline bool write_surface_PNG(const std::string& path,
     return internal::fail(message, "cannot draw " + path + ": " + error);
   internal::Cairo_surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, options.width, options.height));
   internal::Cairo_context context(cairo_create(surface.get()));
-  const cairo_status_t status = picture.draw(context.get());
-  context.reset();
-  if(status != CAIRO_STATUS_SUCCESS)
-    return internal::fail(message, "cannot draw " + path + ": " + cairo_status_to_string(status));
-  return internal::write_image_as_PNG(path, surface.get(), message);
+  picture.draw(context.get());
+  return internal::write_image_as_PNG(path, surface.get(), context, message);
 #else
   static_cast<void>(views);
   static_cast<void>(options);

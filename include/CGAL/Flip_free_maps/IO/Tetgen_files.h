@@ -136,9 +136,7 @@ inline bool read_Tetgen_files(const std::string& path, Tetrahedral_mesh& mesh, s
   if(!internal::read_tetgen_elements(elements, result.points.size(), first, result.tetrahedra))
     return internal::fail(message, "cannot read " + element_path + ": " + elements.error());
   mesh = std::move(result);
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return internal::succeed(message);
 }
 
 /*!
@@ -176,11 +174,7 @@ inline bool write_Tetgen_files(const std::string& path, const Tetrahedral_mesh& 
     elements += '\n';
   }
   const auto [node_path, element_path] = internal::tetgen_file_names(path);
-  if(!internal::write_whole_file(node_path, nodes, message) || !internal::write_whole_file(element_path, elements, message))
-    return false;
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return internal::write_whole_file(node_path, nodes, message) && internal::write_whole_file(element_path, elements, message);
 }
 
 } // namespace Flip_free_maps

@@ -396,11 +396,7 @@ inline bool write_VTU(const std::string& path,
   for(std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
     text += "10\n";
   text += "        </DataArray>\n      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
-  if(!internal::write_whole_file(path, text, message))
-    return false;
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return internal::write_whole_file(path, text, message);
 }
 
 } // namespace Flip_free_maps

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CONSTRAINTS_POSITION_CONSTRAINTS_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 
 #include <cmath>
 #include <cstdint>
@@ -45,22 +46,19 @@ struct Position_constraints
   /// Checks the vertices' numbers, targets and weights; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::int32_t number_of_vertices, std::string* message = nullptr) const
   {
-    const auto fail = [message](const std::string& text) {
-      if(message != nullptr)
-        *message = text;
-      return false;
-    };
     for(std::int32_t v : fixed_vertices)
       if(v < 0 || v >= number_of_vertices)
-        return fail("a fixed vertex has the number " + std::to_string(v) + ", but there are " + std::to_string(number_of_vertices));
+        return internal::fail(message, "a fixed vertex has the number " + std::to_string(v) + ", but there are " +
+                                         std::to_string(number_of_vertices));
     for(const Soft_position<D>& soft : soft_positions) {
       if(soft.vertex < 0 || soft.vertex >= number_of_vertices)
-        return fail("a soft position is for vertex number " + std::to_string(soft.vertex) + ", but there are " +
-                    std::to_string(number_of_vertices));
+        return internal::fail(message, "a soft position is for vertex number " + std::to_string(soft.vertex) + ", but there are " +
+                                         std::to_string(number_of_vertices));
       if(!soft.target.allFinite())
-        return fail("the soft position of vertex number " + std::to_string(soft.vertex) + " is not finite");
+        return internal::fail(message, "the soft position of vertex number " + std::to_string(soft.vertex) + " is not finite");
       if(!(soft.weight >= 0) || !std::isfinite(soft.weight))
-        return fail("the weight of the soft position of vertex number " + std::to_string(soft.vertex) + " is negative or not finite");
+        return internal::fail(message, "the weight of the soft position of vertex number " + std::to_string(soft.vertex) +
+                                         " is negative or not finite");
     }
     return true;
   }

@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_START_OPTIONS_H
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_START_OPTIONS_H
 
+#include <CGAL/Flip_free_maps/internal/fail.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -74,11 +76,8 @@ struct Start_options
       turning += std::atan2(cross, dot);
     }
     // A star polygon turns left everywhere too, but more than once around.
-    if(convex && turning < 6.5)
-      return true;
-    if(message != nullptr)
-      *message = "the border polygon must be strictly convex and counterclockwise";
-    return false;
+    return (convex && turning < 6.5) ||
+           internal::fail(message, "the border polygon must be strictly convex and counterclockwise");
   }
 };
 

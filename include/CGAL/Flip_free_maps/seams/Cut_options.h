@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_SEAMS_CUT_OPTIONS_H
 #define CGAL_FLIP_FREE_MAPS_SEAMS_CUT_OPTIONS_H
 
+#include <CGAL/Flip_free_maps/internal/fail.h>
+
 #include <cmath>
 #include <string>
 
@@ -48,21 +50,16 @@ struct Cut_options
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
-    const auto fail = [message](const char* text) {
-      if(message != nullptr)
-        *message = text;
-      return false;
-    };
     if(!(target_energy > 1))
-      return fail("target_energy must be above 1");
+      return internal::fail(message, "target_energy must be above 1");
     if(number_of_points < 0)
-      return fail("number_of_points must not be negative");
+      return internal::fail(message, "number_of_points must not be negative");
     if(branches == Branches::farthest_points && number_of_points < 2)
-      return fail("number_of_points must be at least 2 for farthest points");
+      return internal::fail(message, "number_of_points must be at least 2 for farthest points");
     if(!(feature_cost > 0 && feature_cost <= 1))
-      return fail("feature_cost must be in (0, 1]");
+      return internal::fail(message, "feature_cost must be in (0, 1]");
     if(!(crease_preference >= 0) || !std::isfinite(crease_preference))
-      return fail("crease_preference must be finite and not negative");
+      return internal::fail(message, "crease_preference must be finite and not negative");
     return true;
   }
 };

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_SEAMS_MEET_SEAM_CONSTRAINTS_H
 
 #include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 #include <CGAL/Flip_free_maps/seams/Seam_constraints.h>
 
 #include <algorithm>
@@ -48,9 +49,8 @@ struct Seam_options
   {
     const bool valid = tolerance > 0 && first_weight > 0 && first_quarter_turn_weight > 0 && factor > 1 && std::isfinite(factor) &&
                        std::isfinite(largest_weight) && first_weight <= largest_weight;
-    if(!valid && message != nullptr)
-      *message = "seams need a positive tolerance, positive weights up to a finite largest one, and a factor above 1";
-    return valid;
+    return valid ||
+           internal::fail(message, "seams need a positive tolerance, positive weights up to a finite largest one, and a factor above 1");
   }
 };
 

@@ -16,6 +16,7 @@
 #include <CGAL/Flip_free_maps/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 
 #include <Eigen/Core>
@@ -68,17 +69,12 @@ struct Foldover_free_options
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
-    const auto fail = [message](const char* text) {
-      if(message != nullptr)
-        *message = text;
-      return false;
-    };
     if(!(measure_weight >= 0) || !std::isfinite(measure_weight))
-      return fail("measure_weight must be finite and not negative");
+      return internal::fail(message, "measure_weight must be finite and not negative");
     if(max_steps_per_level < 1 || max_levels < 1)
-      return fail("max_steps_per_level and max_levels must be at least 1");
+      return internal::fail(message, "max_steps_per_level and max_levels must be at least 1");
     if(!(max_seconds >= 0))
-      return fail("max_seconds must not be negative");
+      return internal::fail(message, "max_seconds must not be negative");
     return true;
   }
 };

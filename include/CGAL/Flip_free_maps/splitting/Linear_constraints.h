@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_LINEAR_CONSTRAINTS_H
 #define CGAL_FLIP_FREE_MAPS_SPLITTING_LINEAR_CONSTRAINTS_H
 
+#include <CGAL/Flip_free_maps/internal/fail.h>
+
 #include <Eigen/SparseCore>
 
 #include <cmath>
@@ -34,21 +36,16 @@ struct Linear_constraints
   /// Checks sizes and that all numbers are finite; when something is off, says what in `*message` (if given) and returns `false`.
   bool is_valid(std::int32_t number_of_vertices, std::string* message = nullptr) const
   {
-    const auto fail = [message](const char* text) {
-      if(message != nullptr)
-        *message = text;
-      return false;
-    };
     if(values.rows() != matrix.rows())
-      return fail("linear constraints must have a row of values for each row of the matrix");
+      return internal::fail(message, "linear constraints must have a row of values for each row of the matrix");
     if(!empty() && matrix.cols() != number_of_vertices)
-      return fail("the matrix of the linear constraints must have a column for each vertex");
+      return internal::fail(message, "the matrix of the linear constraints must have a column for each vertex");
     for(int v = 0; v < matrix.outerSize(); ++v)
       for(Eigen::SparseMatrix<double>::InnerIterator entry(matrix, v); entry; ++entry)
         if(!std::isfinite(entry.value()))
-          return fail("a coefficient of the linear constraints is not finite");
+          return internal::fail(message, "a coefficient of the linear constraints is not finite");
     if(!values.allFinite())
-      return fail("a value of the linear constraints is not finite");
+      return internal::fail(message, "a value of the linear constraints is not finite");
     return true;
   }
 };

@@ -9,6 +9,8 @@
 #define CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_OPTIONS_H
 
 #include <CGAL/Flip_free_maps/Map_options.h>
+#include <CGAL/Flip_free_maps/internal/check_limits.h>
+#include <CGAL/Flip_free_maps/internal/fail.h>
 
 #include <cmath>
 #include <functional>
@@ -80,29 +82,17 @@ struct Splitting_options
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
-    const auto fail = [message](const char* text) {
-      if(message != nullptr)
-        *message = text;
-      return false;
-    };
-    const auto is_tolerance = [](double value) { return value >= 0 && std::isfinite(value); };
-    if(!is_tolerance(absolute_tolerance) || !is_tolerance(relative_tolerance))
-      return fail("tolerances must be finite and not negative");
-    if(std::isnan(target_energy))
-      return fail("target_energy must not be NaN");
-    if(max_iterations < 0)
-      return fail("max_iterations must not be negative");
-    if(!(max_seconds >= 0))
-      return fail("max_seconds must not be negative");
+    if(!internal::is_tolerance(absolute_tolerance) || !internal::is_tolerance(relative_tolerance))
+      return internal::fail(message, "tolerances must be finite and not negative");
     if(!(penalty_factor > 1) || !std::isfinite(penalty_factor))
-      return fail("penalty_factor must be finite and above 1");
+      return internal::fail(message, "penalty_factor must be finite and above 1");
     if(!(penalty_ratio >= 1) || !std::isfinite(penalty_ratio))
-      return fail("penalty_ratio must be finite and at least 1");
+      return internal::fail(message, "penalty_ratio must be finite and at least 1");
     if(first_adaptations < 0)
-      return fail("first_adaptations must not be negative");
+      return internal::fail(message, "first_adaptations must not be negative");
     if(adaptation_interval < 1 || largest_interval_with_flips < 1)
-      return fail("adaptation_interval and largest_interval_with_flips must be at least 1");
-    return true;
+      return internal::fail(message, "adaptation_interval and largest_interval_with_flips must be at least 1");
+    return internal::check_limits(*this, message);
   }
 };
 

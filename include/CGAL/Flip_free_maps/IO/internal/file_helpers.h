@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_H
 #define CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_H
 
+#include <CGAL/Flip_free_maps/internal/fail.h>
+
 #include <cerrno>
 #include <charconv>
 #include <cstddef>
@@ -19,14 +21,6 @@
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
-
-// Stores `text` when the caller wants messages; returns false so that a failure is one statement.
-inline bool fail(std::string* message, const std::string& text)
-{
-  if(message != nullptr)
-    *message = text;
-  return false;
-}
 
 // The conversions of <charconv> do not depend on the locale of the program, unlike those of <cstdio>. Without a number of
 // digits the text is the shortest one that is read back as the same double.
@@ -62,7 +56,7 @@ inline bool write_whole_file(const std::string& path, const std::string& content
   is_written = (std::fclose(file) == 0) && is_written;
   if(!is_written)
     return fail(message, "cannot write " + path + ": " + std::strerror(write_error != 0 ? write_error : errno));
-  return true;
+  return succeed(message);
 }
 
 inline bool read_whole_file(const std::string& path, std::string& content, std::string* message)
@@ -97,9 +91,7 @@ bool read_mesh_with(const std::string& path, Mesh& mesh, std::string* message)
   if(!error.empty())
     return fail(message, "cannot read " + path + ": " + error);
   mesh = std::move(reader.mesh());
-  if(message != nullptr)
-    message->clear();
-  return true;
+  return succeed(message);
 }
 
 } // namespace internal
