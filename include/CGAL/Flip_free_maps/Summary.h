@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_SUMMARY_H
 
 #include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/internal/begin_report.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -83,9 +84,7 @@ struct Summary
 template <typename Json>
 void to_json(Json& json, const Summary& summary)
 {
-  json = Json::object();
-  json["status"] = status_name(summary.status);
-  json["message"] = summary.message;
+  internal::begin_report(json, summary);
   json["converged"] = summary.converged();
   json["vertices"] = summary.vertices;
   json["faces"] = summary.elements;

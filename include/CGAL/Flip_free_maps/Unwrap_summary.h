@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_UNWRAP_SUMMARY_H
 
 #include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/internal/begin_report.h>
 #include <CGAL/Flip_free_maps/seams/Cut_summary.h>
 
 #include <cstddef>
@@ -63,13 +64,25 @@ struct Unwrap_summary
 };
 
 /// \ingroup PkgFlipFreeMapsRef
+/// Fills a JSON value with all fields of a chart's summary. Written against the interface of nlohmann::json.
+template <typename Json>
+void to_json(Json& json, const Chart_summary& summary)
+{
+  internal::begin_report(json, summary);
+  json["faces"] = summary.faces;
+  json["area"] = summary.area;
+  json["energy"] = summary.energy;
+  json["max_energy"] = summary.max_energy;
+  json["iterations"] = summary.iterations;
+  json["seconds"] = summary.seconds;
+}
+
+/// \ingroup PkgFlipFreeMapsRef
 /// Fills a JSON value with all fields of a summary. Written against the interface of nlohmann::json.
 template <typename Json>
 void to_json(Json& json, const Unwrap_summary& summary)
 {
-  json = Json::object();
-  json["status"] = status_name(summary.status);
-  json["message"] = summary.message;
+  internal::begin_report(json, summary);
   json["faces"] = summary.faces;
   json["energy"] = summary.energy;
   json["flips"] = summary.flips;
@@ -88,22 +101,8 @@ void to_json(Json& json, const Unwrap_summary& summary)
   seconds["certify"] = summary.certify_seconds;
   seconds["total"] = summary.seconds;
   json["seconds"] = seconds;
-  Json cut;
-  to_json(cut, summary.cut);
-  json["cut"] = cut;
-  json["charts"] = Json::array();
-  for(const Chart_summary& chart : summary.charts) {
-    Json entry = Json::object();
-    entry["status"] = status_name(chart.status);
-    entry["message"] = chart.message;
-    entry["faces"] = chart.faces;
-    entry["area"] = chart.area;
-    entry["energy"] = chart.energy;
-    entry["max_energy"] = chart.max_energy;
-    entry["iterations"] = chart.iterations;
-    entry["seconds"] = chart.seconds;
-    json["charts"].push_back(entry);
-  }
+  json["cut"] = summary.cut;
+  json["charts"] = summary.charts;
 }
 
 /// \ingroup PkgFlipFreeMapsRef

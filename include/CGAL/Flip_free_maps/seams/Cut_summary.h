@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_SEAMS_CUT_SUMMARY_H
 
 #include <CGAL/Flip_free_maps/Status.h>
+#include <CGAL/Flip_free_maps/internal/begin_report.h>
 
 #include <cstdint>
 #include <ostream>
@@ -45,9 +46,7 @@ struct Cut_summary
 template <typename Json>
 void to_json(Json& json, const Cut_summary& summary)
 {
-  json = Json::object();
-  json["status"] = status_name(summary.status);
-  json["message"] = summary.message;
+  internal::begin_report(json, summary);
   json["components"] = summary.components;
   json["borders"] = summary.borders;
   json["genus"] = summary.genus;
