@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ACCELERATIONS_NESTEROV_H
 #define CGAL_FLIP_FREE_MAPS_ACCELERATIONS_NESTEROV_H
 
+#include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -48,12 +50,9 @@ public:
 
   /// The direction at `x`: minus the gradient times the inverse of the preconditioner.
   template <typename Solve>
-  bool direction(const Eigen::VectorXd& /* x */, const Eigen::VectorXd& gradient, Solve&& solve, Eigen::VectorXd& direction)
+  bool direction(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, Solve&& solve, Eigen::VectorXd& direction)
   {
-    if(!solve(gradient, direction))
-      return false;
-    direction = -direction;
-    return true;
+    return No_acceleration().direction(x, gradient, solve, direction);
   }
 
 private:
