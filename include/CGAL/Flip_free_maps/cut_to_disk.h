@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/internal/cut_planner.h>
 #include <CGAL/Flip_free_maps/internal/cut_surface.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 #include <CGAL/Flip_free_maps/seams/Cut_options.h>
 #include <CGAL/Flip_free_maps/seams/Cut_summary.h>
 #include <CGAL/Flip_free_maps/seams/seam_named_parameters.h>
@@ -21,7 +22,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <new>
 #include <vector>
 
 namespace CGAL {
@@ -104,12 +104,7 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeIsCutMap edge_is_cut, cons
       if(is_cut[e])
         put(edge_is_cut, edges[e], true);
   };
-  try {
-    run();
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+  internal::run_within_memory(run, summary);
   return summary;
 }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 
@@ -22,7 +23,6 @@
 #include <CGAL/number_utils.h>
 
 #include <cstdint>
-#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -202,12 +202,7 @@ Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2
     const internal::Phase_timer timer(summary.seconds.certify);
     internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), deformation.positions(), result, summary);
   };
-  try {
-    run();
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+  internal::run_within_memory(run, summary);
   summary.peak_memory_mb = internal::peak_memory_mb();
   return summary;
 }

@@ -14,11 +14,11 @@
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 
 #include <CGAL/number_utils.h>
 
 #include <cstdint>
-#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,12 +104,7 @@ Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handle
     if(status != Status::success)
       fail(status, message.c_str());
   };
-  try {
-    run();
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+  internal::run_within_memory(run, summary);
   summary.peak_memory_mb = internal::peak_memory_mb();
   return summary;
 }

@@ -12,11 +12,11 @@
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/adapt_method.h>
 #include <CGAL/Flip_free_maps/internal/make_start.h>
+#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/seams/find_seams.h>
 #include <CGAL/Flip_free_maps/seams/meet_seam_constraints.h>
 
-#include <new>
 #include <string>
 #include <vector>
 
@@ -69,12 +69,7 @@ Seam_summary parameterize_with_seams(const SeamMesh& mesh, typename boost::graph
     x *= domain.scale;
     internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
   };
-  try {
-    run();
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+  internal::run_within_memory(run, summary);
   summary.seconds.total = seconds;
   summary.cpu_seconds = cpu_seconds;
   return summary;

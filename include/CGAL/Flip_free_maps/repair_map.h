@@ -16,6 +16,7 @@
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/splitting/Foldover_free.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
@@ -167,12 +168,7 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     }
     x = result;
   };
-  try {
-    run();
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+  internal::run_within_memory(run, summary);
   summary.peak_memory_mb = internal::peak_memory_mb();
   return summary;
 }

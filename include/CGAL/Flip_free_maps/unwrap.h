@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/Unwrap_options.h>
 #include <CGAL/Flip_free_maps/Unwrap_summary.h>
 #include <CGAL/Flip_free_maps/internal/chart_atlas.h>
+#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -25,7 +26,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -192,12 +192,7 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
     }
     atlas.finish();
   };
-  try {
-    run();
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+  internal::run_within_memory(run, summary);
   return summary;
 }
 

@@ -16,11 +16,11 @@
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/adapt_method.h>
 #include <CGAL/Flip_free_maps/internal/run_both.h>
+#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <new>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -133,12 +133,7 @@ Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleM
       return;
     write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
   };
-  try {
-    run();
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+  run_within_memory(run, summary);
   summary.peak_memory_mb = peak_memory_mb();
   return summary;
 }
