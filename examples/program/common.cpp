@@ -283,8 +283,7 @@ std::vector<std::string> names(const Map& map)
   return result;
 }
 
-} // namespace
-
+// A halfedge on the longest border, null on a closed surface. Lengths may be of any magnitude: squares of tiny ones vanish.
 Mesh::Halfedge_index longest_border(const Mesh& mesh)
 {
   std::vector<Mesh::Halfedge_index> borders;
@@ -304,6 +303,17 @@ Mesh::Halfedge_index longest_border(const Mesh& mesh)
     }
   }
   return longest;
+}
+
+} // namespace
+
+void read_patch(const std::string& path, Patch& patch)
+{
+  read_triangles(path, patch.triangles);
+  patch.border = longest_border(patch.triangles.mesh);
+  if(patch.border == Mesh::null_halfedge())
+    throw Failure{Status::no_border, "the surface is closed; it must be cut open before it can be flattened"};
+  patch.uv = patch.triangles.mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
 }
 
 void add_method_options(CLI::App& command, Method_arguments& arguments)
@@ -569,7 +579,7 @@ void write_pictures(const Picture_arguments& arguments, const std::string& title
 
 namespace {
 
-FFM::Textured_mesh textured(const Triangles& triangles, const Mesh::Property_map<Vertex, Kernel::Point_2>& uv, bool unit_square)
+FFM::Textured_mesh textured(const Triangles& triangles, const UV_map& uv, bool unit_square)
 {
   FFM::Textured_mesh result;
   for(const auto& p : triangles.points)
@@ -627,20 +637,26 @@ std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Trian
   return uv;
 }
 
-void write_layout(Triangles& triangles, const UV_map& uv, bool unit_square, const std::string& output, const Picture_arguments& pictures,
-                  const std::string& input, const FFM::Summary& summary)
+void add_layout_options(CLI::App& command, Layout_arguments& arguments, const std::string& input, const std::string& output)
 {
-  Mesh& mesh = triangles.mesh;
+  command.add_option("input", arguments.input, input)->required();
+  command.add_option("-o,--output", arguments.output, output);
+  command.add_flag("--unit-square", arguments.unit_square, "scale the texture coordinates into the unit square");
+}
+
+void write_layout(const Layout_arguments& arguments, Patch& patch, const FFM::Summary& summary)
+{
+  Mesh& mesh = patch.triangles.mesh;
   std::vector<double> distortion;
   auto distortion_map = mesh.add_property_map<Mesh::Face_index, double>("f:distortion").first;
-  FFM::face_distortions(mesh, uv, distortion_map);
+  FFM::face_distortions(mesh, patch.uv, distortion_map);
   for(const auto face : mesh.faces())
     distortion.push_back(distortion_map[face]);
-  const FFM::Textured_mesh layout = textured(triangles, uv, unit_square);
-  write_pictures(pictures, input, layout, distortion, summary);
+  const FFM::Textured_mesh layout = textured(patch.triangles, patch.uv, arguments.unit_square);
+  write_pictures(arguments.pictures, arguments.input, layout, distortion, summary);
   std::string message;
-  if(!output.empty())
-    check(FFM::write_textured_OBJ(output, layout, &message), message);
+  if(!arguments.output.empty())
+    check(FFM::write_textured_OBJ(arguments.output, layout, &message), message);
 }
 
 } // namespace program

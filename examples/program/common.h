@@ -62,8 +62,17 @@ void read_triangles(const std::string& path, Triangles& triangles);
 // area, sheets that meet at a vertex or an edge, different orientations, polygons of more than three corners; `repairs` says what it did.
 void read_surface(const std::string& path, bool repair, Triangles& triangles, std::string& repairs);
 
-// A halfedge on the longest border, null on a closed surface. Lengths may be of any magnitude: squares of tiny ones vanish.
-Mesh::Halfedge_index longest_border(const Mesh& mesh);
+using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
+
+// A connected surface with a border, and a map of it.
+struct Patch
+{
+  Triangles triangles;
+  Mesh::Halfedge_index border; // on the longest border
+  UV_map uv;
+};
+
+void read_patch(const std::string& path, Patch& patch);
 
 // The options of all sub-commands that minimise an energy.
 struct Method_arguments
@@ -142,14 +151,22 @@ void write_pictures(const Picture_arguments& arguments, const std::string& input
 void write_pictures(const Picture_arguments& arguments, const std::string& title, const FFM::Textured_mesh& layout,
                     const std::vector<double>& distortion);
 
-using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
-
 // The texture coordinates of an OBJ with the same faces, one pair for each vertex.
 std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Triangles& triangles);
 
+// The files of sub-commands that map a patch to the plane.
+struct Layout_arguments
+{
+  std::string input, output;
+  bool unit_square = false;
+  Picture_arguments pictures;
+};
+
+// Those but the pictures' options, which come last.
+void add_layout_options(CLI::App& command, Layout_arguments& arguments, const std::string& input, const std::string& output);
+
 // Writes and draws a map, whatever of it is asked for.
-void write_layout(Triangles& triangles, const UV_map& uv, bool unit_square, const std::string& output, const Picture_arguments& pictures,
-                  const std::string& input, const FFM::Summary& summary);
+void write_layout(const Layout_arguments& arguments, Patch& patch, const FFM::Summary& summary);
 
 // The sub-commands: each adds itself to the application, and runs if it was chosen.
 class Command

@@ -30,8 +30,11 @@ public:
   explicit Deform(CLI::App& application)
   {
     app = application.add_subcommand("deform", "Deform a planar shape or a solid by handles");
-    app->add_option("input", m_arguments.input, "planar mesh, z = const: OFF, OBJ, PLY or STL; tetrahedra: .mesh, .vtu, .node or .ele; or a closed surface, which is "
-                                        "filled with tetrahedra first")->required();
+    app
+      ->add_option("input", m_arguments.input,
+                   "planar mesh, z = const: OFF, OBJ, PLY or STL; tetrahedra: .mesh, .vtu, .node or .ele; or a closed surface, which is "
+                   "filled with tetrahedra first")
+      ->required();
     app
       ->add_option("--handles", m_arguments.handles,
                    "file with lines 'vertex x y [z]', vertices numbered from 0, or 'x y [z] -> x2 y2 [z2]', which means the vertex "

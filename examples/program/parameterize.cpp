@@ -57,9 +57,7 @@ public:
   explicit Parameterize(CLI::App& application)
   {
     app = application.add_subcommand("parameterize", "Flatten a surface patch, a disk that may have holes, into the plane");
-    app->add_option("input", m_input, "mesh: OFF, OBJ, PLY or STL")->required();
-    app->add_option("-o,--output", m_output, "OBJ with texture coordinates, in the units of the surface");
-    app->add_flag("--unit-square", m_unit_square, "scale the texture coordinates into the unit square");
+    add_layout_options(*app, m_layout, "mesh: OFF, OBJ, PLY or STL", "OBJ with texture coordinates, in the units of the surface");
     add_method_options(*app, m_method);
     app
       ->add_option("--start", m_start,
@@ -78,7 +76,7 @@ public:
     app->add_option("--soft", m_soft,
                     "file with lines 'vertex u v weight': vertices that are pulled to places, in the units of the surface");
     app->add_flag("--bijective", m_bijective, "the image must not overlap itself");
-    add_picture_options(*app, m_pictures);
+    add_picture_options(*app, m_layout.pictures);
   }
 
   int run() override
@@ -96,40 +94,33 @@ public:
 private:
   void flatten(FFM::Summary& summary)
   {
-    Triangles triangles;
-    read_triangles(m_input, triangles);
-    Mesh& mesh = triangles.mesh;
-    const Mesh::Halfedge_index border = longest_border(mesh);
-    if(border == Mesh::null_halfedge())
-      throw Failure{Status::no_border, "the surface is closed; it must be cut open before it can be flattened"};
-    UV_map uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
+    Patch patch;
+    read_patch(m_layout.input, patch);
     const auto reporter = std::make_shared<Reporter>(m_method);
     if(m_method.is_default()) {
       FFM::Flip_free_map_traits<> traits;
       set_options(m_method, reporter, traits.options);
-      summary = flatten(triangles, border, uv, traits);
+      summary = flatten(patch, traits);
     } else {
       FFM::Any_map_traits traits = make_traits(m_method);
       set_options(m_method, reporter, traits.options);
       if(m_method.is_splitting()) {
         FFM::Splitting_map_traits<FFM::Any_map_traits> splitting = splitting_traits(m_method, traits);
-        summary = flatten(triangles, border, uv, splitting);
+        summary = flatten(patch, splitting);
       } else {
-        summary = flatten(triangles, border, uv, traits);
+        summary = flatten(patch, traits);
         traits.name_choices(summary);
       }
     }
     reporter->finish();
-    if(!summary.is_valid())
-      return;
-
-    write_layout(triangles, uv, m_unit_square, m_output, m_pictures, m_input, summary);
+    if(summary.is_valid())
+      write_layout(m_layout, patch, summary);
   }
 
   template <typename Traits>
-  FFM::Summary flatten(const Triangles& triangles, Mesh::Halfedge_index border, UV_map uv, Traits& traits)
+  FFM::Summary flatten(const Patch& patch, Traits& traits)
   {
-    const Mesh& mesh = triangles.mesh;
+    const Mesh& mesh = patch.triangles.mesh;
     FFM::Start_options& start = traits.start;
     start.weights = m_weights == "mean-value"  ? FFM::Tutte_weights::mean_value
                     : m_weights == "cotangent" ? FFM::Tutte_weights::cotangent
@@ -160,28 +151,27 @@ private:
                       soft, CGAL::parameters::vertex_is_constrained_map(
                               boost::make_iterator_property_map(is_fixed.begin(), get(boost::vertex_index, mesh)))));
     if constexpr(std::is_same<Traits, FFM::Splitting_map_traits<FFM::Any_map_traits>>::value)
-      return parameterize(triangles, border, uv, traits, constraints);
+      return parameterize(patch, traits, constraints);
     else
-      return parameterize(triangles, border, uv, traits, FFM::parameters::bijective(m_bijective, constraints));
+      return parameterize(patch, traits, FFM::parameters::bijective(m_bijective, constraints));
   }
 
   template <typename Traits, typename Parameters>
-  FFM::Summary parameterize(const Triangles& triangles, Mesh::Halfedge_index border, UV_map uv, const Traits& traits,
-                            const Parameters& constraints) const
+  FFM::Summary parameterize(const Patch& patch, const Traits& traits, const Parameters& constraints) const
   {
-    const Mesh& mesh = triangles.mesh;
+    const Mesh& mesh = patch.triangles.mesh;
     if(m_start == "auto" || m_start == "tutte" || m_start == "multilevel")
-      return FFM::parameterize(mesh, border, uv, traits, constraints);
-    const std::vector<Kernel::Point_2> given = vertex_texture(m_start, triangles);
+      return FFM::parameterize(mesh, patch.border, patch.uv, traits, constraints);
+    const std::vector<Kernel::Point_2> given = vertex_texture(m_start, patch.triangles);
     return FFM::parameterize(
-      mesh, border, uv, traits,
+      mesh, patch.border, patch.uv, traits,
       FFM::parameters::start_map(boost::make_iterator_property_map(given.begin(), get(boost::vertex_index, mesh)), constraints));
   }
 
   Method_arguments m_method;
-  Picture_arguments m_pictures;
-  std::string m_input, m_output, m_start = "auto", m_border = "circle", m_weights = "uniform", m_fixed, m_soft;
-  bool m_place_flaps = false, m_unit_square = false, m_fix_border = false, m_bijective = false;
+  Layout_arguments m_layout;
+  std::string m_start = "auto", m_border = "circle", m_weights = "uniform", m_fixed, m_soft;
+  bool m_place_flaps = false, m_fix_border = false, m_bijective = false;
 };
 
 } // namespace
