@@ -8,15 +8,6 @@
 // The experiment of Claici et al. 2017, section 6.2: methods deform a solid from the same start by soft handles, with the diagonal of
 // their matrices raised by 1e-4. Objectives iteration by iteration go to volume_methods.csv, curves and tables to volume_methods.html,
 // and an account of each run to the standard output, as CSV.
-//
-// usage: volume_methods [MESH HANDLES] [--output DIR] [--iterations N] [--weight W] [--energy NAME] [--linear-solver NAME]
-//   MESH HANDLES     files that read_volume() and read_handles() read; by default a generated cube, four edges of which are twisted
-//   --output         folder of the two files, the current one by default
-//   --iterations     limit of each run, 100 by default
-//   --weight         of the handles, 1e5 by default
-//   --energy         exponential-symmetric-dirichlet (the default), symmetric-dirichlet, exponential-amips, symmetric-gradient or
-//                    neo-hookean
-//   --linear-solver  automatic (the default: the package's choice), direct, or cg, whose directions are inexact as those of the paper
 
 #include "volume_report.h"
 
@@ -33,11 +24,12 @@
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 
+#include <CLI/CLI.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -94,24 +86,19 @@ const std::vector<std::string>& method_names()
   return names;
 }
 
-bool choose_energy(const std::string& name, FFM::Any_map_traits& traits)
+std::map<std::string, FFM::Any_energy> energies()
 {
   // The mean over 2D squares is what the package takes the exponential of, the paper that of their sum.
   FFM::Exponential_symmetric_dirichlet exponential;
   exponential.factor = 6;
-  const std::map<std::string, FFM::Any_energy> energies = {{"exponential-symmetric-dirichlet", FFM::Any_energy(exponential)},
-                                                           {"symmetric-dirichlet", FFM::Any_energy(FFM::Symmetric_dirichlet())},
-                                                           {"exponential-amips", FFM::Any_energy(FFM::Exponential_amips())},
-                                                           {"symmetric-gradient", FFM::Any_energy(FFM::Symmetric_gradient())},
-                                                           {"neo-hookean", FFM::Any_energy(FFM::Neo_hookean())}};
-  const auto found = energies.find(name);
-  if(found == energies.end())
-    return false;
-  traits.energy = found->second;
-  return true;
+  return {{"exponential-symmetric-dirichlet", FFM::Any_energy(exponential)},
+          {"symmetric-dirichlet", FFM::Any_energy(FFM::Symmetric_dirichlet())},
+          {"exponential-amips", FFM::Any_energy(FFM::Exponential_amips())},
+          {"symmetric-gradient", FFM::Any_energy(FFM::Symmetric_gradient())},
+          {"neo-hookean", FFM::Any_energy(FFM::Neo_hookean())}};
 }
 
-bool choose_linear_solver(const std::string& name, FFM::Any_map_traits& traits)
+void choose_linear_solver(const std::string& name, FFM::Any_map_traits& traits)
 {
   if(name == "cg")
     traits.use_linear_solver<FFM::Conjugate_gradient_solver<>>();
@@ -121,7 +108,6 @@ bool choose_linear_solver(const std::string& name, FFM::Any_map_traits& traits)
 #else
     traits.use_linear_solver<FFM::Eigen_simplicial_solver>();
 #endif
-  return name == "automatic" || name == "cg" || name == "direct";
 }
 
 void choose_method(const std::string& method, FFM::Any_map_traits& traits)
@@ -196,7 +182,7 @@ Volume_run run_method(const std::string& method, const Problem& problem, const S
   run.method = method;
   FFM::Any_map_traits traits;
   choose_method(method, traits);
-  choose_energy(settings.energy, traits);
+  traits.energy = energies().at(settings.energy);
   choose_linear_solver(settings.linear_solver, traits);
   traits.options.max_iterations = settings.iterations;
   traits.options.tikhonov = 1e-4;
@@ -215,43 +201,30 @@ Volume_run run_method(const std::string& method, const Problem& problem, const S
   return run;
 }
 
-bool parse(int argc, char** argv, Settings& settings)
-{
-  for(int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if(argument.compare(0, 2, "--") != 0) {
-      settings.files.push_back(argument);
-      continue;
-    }
-    if(++i == argc)
-      return false;
-    if(argument == "--output")
-      settings.output = argv[i];
-    else if(argument == "--iterations")
-      settings.iterations = std::atoi(argv[i]);
-    else if(argument == "--weight")
-      settings.weight = std::atof(argv[i]);
-    else if(argument == "--energy")
-      settings.energy = argv[i];
-    else if(argument == "--linear-solver")
-      settings.linear_solver = argv[i];
-    else
-      return false;
-  }
-  FFM::Any_map_traits traits;
-  return (settings.files.empty() || settings.files.size() == 2) && settings.iterations > 0 && settings.weight > 0 &&
-         choose_energy(settings.energy, traits) && choose_linear_solver(settings.linear_solver, traits);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
   Settings settings;
-  if(!parse(argc, argv, settings)) {
-    std::cerr << "usage: volume_methods [MESH HANDLES] [--output DIR] [--iterations N] [--weight W] [--energy NAME] [--linear-solver NAME]\n";
-    return EXIT_FAILURE;
-  }
+  std::vector<std::string> energy_names;
+  for(const auto& energy : energies())
+    energy_names.push_back(energy.first);
+  CLI::App app("Deforms a solid by soft handles with several methods, from the same start.");
+  app
+    .add_option("FILES", settings.files,
+                "files that read_volume() and read_handles() read; by default a generated cube, four edges of which are twisted")
+    ->expected(2)
+    ->option_text("MESH HANDLES");
+  app.add_option("--output", settings.output, "folder for volume_methods.csv and volume_methods.html")->capture_default_str();
+  app.add_option("--iterations", settings.iterations, "limit of each run")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--weight", settings.weight, "of the handles")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--energy", settings.energy, "what is minimised")->check(CLI::IsMember(energy_names))->capture_default_str();
+  app
+    .add_option("--linear-solver", settings.linear_solver,
+                "the package's choice, a direct one, or conjugate gradients, whose directions are inexact as those of the paper")
+    ->check(CLI::IsMember({"automatic", "direct", "cg"}))
+    ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
   Problem problem;
   std::string message;
   if(!(settings.files.empty() ? make_cube(9, settings.weight, problem, message)
@@ -279,8 +252,8 @@ int main(int argc, char** argv)
   results.comments() = traces.comments() = {machine(), experiment.text};
   results.write(std::cout);
   const std::string base = settings.output + "/volume_methods";
-  const std::filesystem::path published = std::filesystem::path(__FILE__).parent_path().parent_path() / "data" / "slim_cube_measured.csv";
-  if(!traces.write(base + ".csv") || !write_volume_html(base + ".html", experiment, runs, results, published.string())) {
+  if(!traces.write(base + ".csv") ||
+     !write_volume_html(base + ".html", experiment, runs, results, FLIP_FREE_MAPS_BENCHMARK_DATA "/slim_cube_measured.csv")) {
     std::cerr << "cannot write " << base << ".csv and .html\n";
     return EXIT_FAILURE;
   }
