@@ -10,11 +10,11 @@
 #
 # usage: benchmark/run_benchmarks.sh [--out FOLDER] [--build FOLDER] [--seconds LIMIT] [MESH_OR_FOLDER...]
 #
-# Results go to build/benchmark_results; open parameterize.html (the default method: time, memory, work, threads) and methods.html (all
-# methods compared) there. Meshes are given as files, or as folders, of which the files d1_*, d2_*, d3_*, d3p_* and special_* with at most
-# FFM_LARGEST_MESH triangles (60000) are taken, instead of generated ones; if a folder holds PP_FIGURES.tsv, its figures appear beside
-# ours in methods.html. FFM_LADDER (25000,100000,400000), FFM_THREADS (1,2) and FFM_REPEAT (3) are the numbers of triangles, threads and
-# equal runs of parameterize.html.
+# Results go to build/benchmark_results; open parameterize.html (the default method: time, memory, work, threads) and methods.html
+# (all methods compared) there. Meshes are given as files, or as folders, of which the files d1_*, d2_*, d3_*, d3p_* and special_*
+# with at most FFM_LARGEST_MESH triangles (60000) are taken, instead of generated ones; if a folder holds PP_FIGURES.tsv, its
+# figures appear beside ours in methods.html. FFM_LADDER (25000,100000,400000), FFM_THREADS (1,2) and FFM_REPEAT (3) are the
+# numbers of triangles, threads and equal runs of parameterize.html.
 
 set -e
 root=$(cd "$(dirname "$0")/.." && pwd)

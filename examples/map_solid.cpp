@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Volume correspondence: the surface of a solid is mapped already, and the inside follows without flips. Without arguments a bar is mapped
-// to a twisted and bulging one.
+// Volume correspondence: the surface of a solid is mapped already, and the inside follows without flips. Without arguments a bar
+// is mapped to a twisted and bulging one.
 //
 // usage: map_solid [SOLID.mesh TARGET.off RESULT.vtu]        vertex k of the target is where vertex k of the solid goes
 

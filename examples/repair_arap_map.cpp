@@ -5,7 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Maps a surface as rigidly as possible by CGAL's package Surface_mesh_parameterization, which flips triangles, and repairs the map.
+// Maps a surface as rigidly as possible by CGAL's package Surface_mesh_parameterization, which flips triangles,
+// and repairs the map.
 
 #include "bumpy_surface.h"
 

@@ -5,10 +5,11 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// A closed surface for programs that use CGAL's package Surface_mesh_parameterization: seams are found by cut_to_disk(), CGAL::Seam_mesh cuts the
-// surface along them, and the parameterizer of this package takes the place of another one.
+// A closed surface for programs that use CGAL's package Surface_mesh_parameterization: seams are found by cut_to_disk(),
+// CGAL::Seam_mesh cuts the surface along them, and the parameterizer of this package takes the place of another one.
 //
-// usage: seam_mesh_parameterization [FILE]   (a closed, connected mesh: OFF, OBJ, PLY or STL; without a file a torus is generated)
+// usage: seam_mesh_parameterization [FILE]   (a closed, connected mesh: OFF, OBJ, PLY or STL;
+// without a file a torus is generated)
 
 #include <CGAL/Flip_free_maps/Flip_free_parameterizer_3.h>
 #include <CGAL/Flip_free_maps/cut_to_disk.h>

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// A closed surface is cut open and mapped such that the sides of each seam differ by a rotation by a multiple of 90 degrees: the lines of a
-// chessboard cross the seams without a bend. Writes a textured OBJ file.
+// A closed surface is cut open and mapped such that the sides of each seam differ by a rotation by a multiple of 90 degrees: the
+// lines of a chessboard cross the seams without a bend. Writes a textured OBJ file.
 //
 // usage: seamless_map [SURFACE RESULT.obj]
 

@@ -122,7 +122,8 @@ inline double best_energy(const std::vector<Measurement>& measurements)
   return best;
 }
 
-// What a measurement says, relative to the best energy known, and to the wall-clock seconds of the same with the first number of threads.
+// What a measurement says, relative to the best energy known,
+// and to the wall-clock seconds of the same with the first number of threads.
 inline std::vector<std::string> run_row(const std::string& mesh, const Measurement& m, double best, double first_seconds)
 {
   const FFM::Summary& s = m.reported_run().summary;

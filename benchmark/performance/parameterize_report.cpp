@@ -5,9 +5,9 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// What parameterize() costs with its default method: runs it on every given mesh and on refinements of a generated surface, by two stopping
-// rules and with several numbers of threads, and writes CSV files and a report that any browser shows, published figures beside ours where
-// there are any: see `--help`.
+// What parameterize() costs with its default method: runs it on every given mesh and on refinements of a generated surface, by
+// two stopping rules and with several numbers of threads, and writes CSV files and a report that any browser shows, published
+// figures beside ours where there are any: see `--help`.
 
 #include "../support/Table.h"
 #include "../support/generated_meshes.h"
@@ -163,7 +163,8 @@ private:
     return m_settings.budget > 0 ? m_settings.budget - (FFM::internal::wall_seconds() - m_begin) : std::numeric_limits<double>::infinity();
   }
 
-  // A step of the ladder is begun only if there is time for one run, which needs at least as much time per face as one of the last step.
+  // A step of the ladder is begun only if there is time for one run,
+  // which needs at least as much time per face as one of the last step.
   bool fits_into_budget(const Input& input) const
   {
     return input.ladder_faces == 0 || m_last_ladder_faces == 0 ||

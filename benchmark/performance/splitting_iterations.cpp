@@ -5,10 +5,10 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Iterations per second of the splitting scheme in an interactive session: a square in the plane with four handles, and the map of a bumpy
-// surface into the plane with four pins, of 1000, 5000 and 20000 vertices. One handle makes 50 small moves on a half circle, and each move
-// has a few iterations, as between two pictures on the screen. Writes CSV; the first move, in which the pattern of the matrix is analysed,
-// has a column of its own.
+// Iterations per second of the splitting scheme in an interactive session: a square in the plane with four handles, and the map
+// of a bumpy surface into the plane with four pins, of 1000, 5000 and 20000 vertices. One handle makes 50 small moves on a half
+// circle, and each move has a few iterations, as between two pictures on the screen. Writes CSV; the first move, in which the
+// pattern of the matrix is analysed, has a column of its own.
 //
 // usage: splitting_iterations [ITERATIONS]        (per move, 10)
 

@@ -5,9 +5,9 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// The experiment of Claici et al. 2017, section 6.2: methods deform a solid from the same start by soft handles, with the diagonal of
-// their matrices raised by 1e-4. Objectives iteration by iteration go to volume_methods.csv, curves and tables to volume_methods.html,
-// and an account of each run to the standard output, as CSV.
+// The experiment of Claici et al. 2017, section 6.2: methods deform a solid from the same start by soft handles, with the
+// diagonal of their matrices raised by 1e-4. Objectives iteration by iteration go to volume_methods.csv, curves and tables to
+// volume_methods.html, and an account of each run to the standard output, as CSV.
 
 #include "volume_report.h"
 
@@ -117,8 +117,8 @@ void choose_method(const std::string& method, FFM::Any_map_traits& traits)
     traits.preconditioner = FFM::Any_preconditioner(FFM::Killing{FFM::Killing_weight::stiffness});
 }
 
-// The unit cube, six tetrahedra in each of cells x cells x cells cubes. Four parallel edges are to be turned around the axis between
-// them, one end against the other by a right angle, and stretched.
+// The unit cube, six tetrahedra in each of cells x cells x cells cubes. Four parallel edges are to be turned around the axis
+// between them, one end against the other by a right angle, and stretched.
 bool make_cube(int cells, double weight, Problem& problem, std::string& message)
 {
   std::vector<std::array<double, 3>> points;

@@ -5,9 +5,10 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Which energy's maps change areas less: flattens each of the given disks, or two generated ones, with the symmetric gradient and with the
-// symmetric Dirichlet energy, and writes a row of CSV for each. Areas of the map are first scaled so that their sum is that of the surface;
-// with the ratio r = area in the map / area on the surface of each triangle, the columns are the means over the surface of |r - 1| and
+// Which energy's maps change areas less: flattens each of the given disks, or two generated ones, with the symmetric gradient and
+// with the symmetric Dirichlet energy, and writes a row of CSV for each. Areas of the map are first scaled so that their sum is
+// that of the surface; with the ratio r = area in the map / area on the surface of each triangle,
+// the columns are the means over the surface of |r - 1| and
 // |log r|, and the largest |log r|, for both energies.
 //
 // usage: area_distortion [MESH...]        (disks: OFF, OBJ, PLY)

@@ -5,8 +5,9 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// The parameterizers of CGAL's package Surface_mesh_parameterization and this package on the same surfaces, with their default settings: how they
-// end, how many triangles are flipped, whether the map is bijective, how distorted it is after the best scaling, and how long it takes.
+// The parameterizers of CGAL's package Surface_mesh_parameterization and this package on the same surfaces, with their default
+// settings: how they end, how many triangles are flipped, whether the map is bijective, how distorted it is after the best
+// scaling, and how long it takes.
 //
 // usage: compare_with_cgal OUTPUT.csv MESH...   (disks: OFF, OBJ, PLY or STL)
 

@@ -5,10 +5,11 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Makes disks of closed meshes by the constructions of Liu et al. 2018, Progressive Parameterizations, section 4.2: the sets D1 (cut well), D2
-// (cut through far points) and D3 (a part is missing; for d3p the vertices are moved at random, too): see `--help`. On the standard output comes
-// a table of the files. Points are joined by short paths that may branch anywhere, where the paper has a minimal spanning tree. Where the border
-// of the rest of D3 touches itself, the faces around are taken away, too, where the paper drops the mesh.
+// Makes disks of closed meshes by the constructions of Liu et al. 2018, Progressive Parameterizations, section 4.2: the sets D1
+// (cut well), D2 (cut through far points) and D3 (a part is missing; for d3p the vertices are moved at random, too): see
+// `--help`. On the standard output comes a table of the files. Points are joined by short paths that may branch anywhere, where
+// the paper has a minimal spanning tree. Where the border of the rest of D3 touches itself, the faces around are taken away, too,
+// where the paper drops the mesh.
 
 #include "../support/Table.h"
 
@@ -59,8 +60,8 @@ struct Settings
   unsigned int seed = 1;
 };
 
-// Faces of a patch that is missing are marked; grows it where a border of the rest touches itself and where the rest falls apart. `false` if the
-// rest is no disk.
+// Faces of a patch that is missing are marked; grows it where a border of the rest touches itself and where the rest falls apart.
+// `false` if the rest is no disk.
 bool leave_disk(const Mesh& mesh, std::vector<char>& is_missing)
 {
   const auto is_left = [&](Mesh::Halfedge_index h) { return !mesh.is_border(h) && !is_missing[mesh.face(h)]; };

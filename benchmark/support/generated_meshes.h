@@ -85,8 +85,9 @@ void make_tube(Mesh& mesh, int around)
     [=](double t) { return length * t < cap ? std::cos(length * t) : cap - length * t; });
 }
 
-// About so many triangles of one surface, a square sheet with hills and dents that flattens with energy 1.05 or so, however many they are.
-// Vertices are scattered, and each cell of four is cut along its shorter diagonal, so that the connectivity is irregular.
+// About so many triangles of one surface, a square sheet with hills and dents that flattens with energy 1.05 or so, however many
+// they are. Vertices are scattered, and each cell of four is cut along its shorter diagonal,
+// so that the connectivity is irregular.
 template <typename Mesh>
 void make_bumpy_sheet(Mesh& mesh, double faces)
 {

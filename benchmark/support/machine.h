@@ -75,8 +75,8 @@ inline std::string machine()
 // Forgets the largest resident memory so far, where the system allows it (Linux), so that runs in one process can be told apart.
 inline void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << 5; }
 
-// Gives memory that is not in use back to the system, where that can be asked for (GNU), so that a run does not profit from, or is
-// charged with, what the one before it needed.
+// Gives memory that is not in use back to the system, where that can be asked for (GNU), so that a run does not profit from, or
+// is charged with, what the one before it needed.
 inline void release_unused_memory()
 {
 #ifdef __GLIBC__

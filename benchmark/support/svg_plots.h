@@ -252,8 +252,8 @@ inline std::string box_plot(const std::vector<std::string>& names, const std::ma
   return out.str();
 }
 
-// For each name a bar of coloured parts one after the other, with their sum at its end, over an axis that begins at 0. `values` has the
-// parts of each bar.
+// For each name a bar of coloured parts one after the other, with their sum at its end, over an axis that begins at 0. `values`
+// has the parts of each bar.
 inline std::string stacked_bars(const std::vector<std::string>& names, const std::vector<std::vector<double>>& values,
                                 const std::vector<Style>& styles, const std::string& label)
 {

@@ -58,8 +58,9 @@ struct Triangles
 // Reads and checks a file, so that every fault has a name of its own before the mesh is built.
 void read_triangles(const std::string& path, Triangles& triangles);
 
-// The same for any number of components. With `repair`, first removes what makes a mesh unfit: duplicated points and faces, faces without
-// area, sheets that meet at a vertex or an edge, different orientations, polygons of more than three corners; `repairs` says what it did.
+// The same for any number of components. With `repair`, first removes what makes a mesh unfit: duplicated points and faces, faces
+// without area, sheets that meet at a vertex or an edge, different orientations, polygons of more than three corners;
+// `repairs` says what it did.
 void read_surface(const std::string& path, bool repair, Triangles& triangles, std::string& repairs);
 
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;

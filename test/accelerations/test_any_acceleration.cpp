@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Accelerations chosen at run time: inexact Newton directions with every preconditioner in the plane and in space, and matrices that are
-// assembled for those accelerations only that multiply by them.
+// Accelerations chosen at run time: inexact Newton directions with every preconditioner in the plane and in space, and matrices
+// that are assembled for those accelerations only that multiply by them.
 
 #define BOOST_TEST_MODULE any_acceleration
 #include <boost/test/included/unit_test.hpp>

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Conjugate gradients on the current matrix with an old factorization: against the matrix itself, and whole runs against those that
-// factorize in each iteration.
+// Conjugate gradients on the current matrix with an old factorization: against the matrix itself, and whole runs against those
+// that factorize in each iteration.
 
 #define BOOST_TEST_MODULE inexact_newton
 #include <boost/test/included/unit_test.hpp>

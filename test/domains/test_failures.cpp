@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Everything that can be wrong with a mesh, an option or the machine: each has its status and a message, and leaves the map alone. And
-// inputs that look wrong but are not.
+// Everything that can be wrong with a mesh, an option or the machine: each has its status and a message, and leaves the map
+// alone. And inputs that look wrong but are not.
 
 #define BOOST_TEST_MODULE failures
 #include <boost/test/included/unit_test.hpp>
@@ -91,8 +91,8 @@ Soup transformed(Soup soup, double scale, double shift)
   return soup;
 }
 
-// A grid of cells around the z axis that ends in a disk of triangles; open at the bottom. It is not round, so that the images of its
-// rings do not shrink towards the origin, where numbers are dense.
+// A grid of cells around the z axis that ends in a disk of triangles; open at the bottom. It is not round, so that the images of
+// its rings do not shrink towards the origin, where numbers are dense.
 Soup tube(int around, int rings, double step)
 {
   Soup soup;
@@ -268,7 +268,8 @@ BOOST_FIXTURE_TEST_CASE(border_touches_itself, Fixture)
 
 BOOST_FIXTURE_TEST_CASE(holes_that_touch, Fixture)
 {
-  // Two removed cells share a vertex only. Read as a soup, such a vertex is doubled or shared; it is no disk with holes either way.
+  // Two removed cells share a vertex only. Read as a soup, such a vertex is doubled or shared;
+  // it is no disk with holes either way.
   Soup soup = bumpy_soup(4, 4);
   const int first = 2 * (4 * 1 + 1), second = 2 * (4 * 2 + 2);
   soup.triangles.erase(soup.triangles.begin() + second, soup.triangles.begin() + second + 2);

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Surfaces with holes: flat ones keep all distances, tubes become the rings that a computation with one unknown per circle finds, and the
-// start does not matter.
+// Surfaces with holes: flat ones keep all distances, tubes become the rings that a computation with one unknown per circle finds,
+// and the start does not matter.
 
 #define BOOST_TEST_MODULE holes
 #include <boost/test/included/unit_test.hpp>
@@ -303,7 +303,8 @@ BOOST_AUTO_TEST_CASE(curvature_of_holes)
   const auto one = [](int) { return 1.; };
   BOOST_TEST(std::abs(total_curvature(Example(tube(16, 5, one, [](int j) { return 0.3 * j; })).domain()) - 2 * CGAL_PI) <= 1e-9);
   BOOST_TEST(total_curvature(Example(tube(16, 5, [](int j) { return 1 + 0.3 * j; }, one)).domain()) <= 1e-9);
-  // A cone of slope 45 degrees whose circles lie on planes: the angle at its missing tip is the perimeter over the length of a side.
+  // A cone of slope 45 degrees whose circles lie on planes:
+  // the angle at its missing tip is the perimeter over the length of a side.
   const int around = 16;
   const auto linear = [](int j) { return 1 + 0.5 * j; };
   const Soup pyramid = tube(around, 2, linear, linear);

@@ -72,7 +72,8 @@ BOOST_AUTO_TEST_CASE(seam_through_a_polyhedron)
   for(int i = 0; i < 3; ++i)
     BOOST_TEST_REQUIRE(seam.add_seam(vertices[slit[i]], vertices[slit[i + 1]]));
 
-  // The same surface with the slit's vertices doubled where its sides part: on its left side, the triangles of the cells before it.
+  // The same surface with the slit's vertices doubled where its sides part: on its left side,
+  // the triangles of the cells before it.
   Soup cut = soup;
   const int doubled[] = {5, 17, 29};
   for(int v : doubled)

@@ -5,9 +5,10 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Maps of long closed tubes in polar coordinates. On a tube of circumference c and length l, at the distance t from its tip, the terms
-// of the symmetric Dirichlet energy that matter are (k^2 r^2 + 1 / r'^2) / 4, k = 2 pi / c. The first integral of Euler's equation is
-// k^2 r^2 + 3 / r'^2 = k^2 r(l)^2, whence r(l)^2 = 4 sqrt(3) l / (pi k), and the mean energy is sqrt(3) l / c. The other terms are positive.
+// Maps of long closed tubes in polar coordinates. On a tube of circumference c and length l, at the distance t from its tip, the
+// terms of the symmetric Dirichlet energy that matter are (k^2 r^2 + 1 / r'^2) / 4, k = 2 pi / c. The first integral of Euler's
+// equation is k^2 r^2 + 3 / r'^2 = k^2 r(l)^2, whence r(l)^2 = 4 sqrt(3) l / (pi k), and the mean energy is sqrt(3) l / c.
+// The other terms are positive.
 
 #define BOOST_TEST_MODULE polar_map
 #include <boost/test/included/unit_test.hpp>

@@ -283,8 +283,8 @@ BOOST_AUTO_TEST_CASE(fallback_to_other_weights)
   BOOST_TEST(contains(result.name, "tutte (circle, uniform; after circle, cotangent with "));
 }
 
-// Two corners of this patch are triangles with all vertices on the border, which collapse on a square whatever the weights; they are
-// flaps, whose apexes have a better place.
+// Two corners of this patch are triangles with all vertices on the border, which collapse on a square whatever the weights; they
+// are flaps, whose apexes have a better place.
 BOOST_AUTO_TEST_CASE(flaps_on_a_square)
 {
   const auto domain = make_domain(bumpy_patch(12, 9));

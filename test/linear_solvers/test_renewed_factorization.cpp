@@ -36,7 +36,8 @@ struct Setting
                                            CGAL::Default, CGAL::Sequential_tag>;
   using Objective = FFM::internal::Map_objective<D, Traits>;
 
-  // `moved` is displaced, by so much that all elements around it are deformed by more than the bound, but not to where one collapses.
+  // `moved` is displaced, by so much that all elements around it are deformed by more than the bound,
+  // but not to where one collapses.
   Setting(Distorted_example<D> example, std::int32_t moved, const std::vector<std::int32_t>& fixed)
     : old(example.x), x(example.x), domain(std::move(example.domain)), now(domain, energy, preconditioner), objective(domain, energy, preconditioner)
   {
@@ -175,7 +176,8 @@ BOOST_AUTO_TEST_CASE(eigenvalues_come_nearer_to_one)
 
   using Solver = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>;
   const Eigen::VectorXd old = Solver(A, M, Eigen::EigenvaluesOnly).eigenvalues();
-  // The eigenvalues of B A from those of the symmetric pencil A x = l B^-1 x, with B^-1 replaced by its Cholesky factor's product.
+  // The eigenvalues of B A from those of the symmetric pencil A x = l B^-1 x,
+  // with B^-1 replaced by its Cholesky factor's product.
   const Eigen::MatrixXd L = B.llt().matrixL();
   const Eigen::VectorXd now =
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(L.transpose() * A * L, Eigen::EigenvaluesOnly).eigenvalues();

@@ -172,7 +172,8 @@ BOOST_FIXTURE_TEST_CASE(one_flipped_and_one_collapsed, Sheet)
   measure([](double x, double y) { return Point_2(x, y); });
   BOOST_TEST(FFM::is_flip_free(mesh, uv));
 
-  // The last vertex is a corner of the sheet, with one triangle or two. It goes to the other side of its cell, or onto a neighbour.
+  // The last vertex is a corner of the sheet, with one triangle or two. It goes to the other side of its cell,
+  // or onto a neighbour.
   int incident = 0;
   const int tip = static_cast<int>(vertices.size()) - 1;
   for(const auto& t : soup.triangles)

@@ -95,8 +95,8 @@ BOOST_FIXTURE_TEST_CASE(every_rule_has_a_message_of_its_own, Fixture)
   BOOST_TEST(messages.size() == 8u);
 }
 
-// With a factorization in each iteration, one that would gain less than the tolerance is foreseen and saved. What is given away is within
-// the tolerance, also where first steps are long, which may decrease the energy by little far from the optimum.
+// With a factorization in each iteration, one that would gain less than the tolerance is foreseen and saved. What is given away
+// is within the tolerance, also where first steps are long, which may decrease the energy by little far from the optimum.
 BOOST_FIXTURE_TEST_CASE(no_factorization_only_confirms_convergence, Fixture)
 {
   using Traits = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, FFM::Projected_newton, CGAL::Default, CGAL::Default,

@@ -64,7 +64,8 @@ BOOST_AUTO_TEST_CASE(newton_converges_quadratically)
     energy = summary.energy;
     BOOST_TEST_CONTEXT(summary.linear_solver) {
       BOOST_TEST(summary.converged());
-      // Along rotations the curvature is that of the gradient, and may be negative until the end: Cholesky factorizations refuse that.
+      // Along rotations the curvature is that of the gradient, and may be negative until the end:
+      // Cholesky factorizations refuse that.
       if(!with_eigen)
         continue;
       BOOST_TEST(summary.fallbacks == 0);

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Preconditioners and all energies: matrices are positive semidefinite, SLIM's weights are positive and reproduce the gradient, and Hessians
-// agree with differences.
+// Preconditioners and all energies: matrices are positive semidefinite, SLIM's weights are positive and reproduce the gradient,
+// and Hessians agree with differences.
 
 #define BOOST_TEST_MODULE preconditioners_of_energies
 #include <boost/test/included/unit_test.hpp>

@@ -670,7 +670,8 @@ expect 17 deform bar.mesh --handles index_3.txt --start no_such_file.mesh
 expect 0 deform bar.mesh --handles index_3.txt --soft-weight 100 -o soft.mesh --json soft.json
 check "soft handles give way" less "$(value soft.json energy)" "$bent"
 
-# The surface of the bent bar is given; its inside follows. The inner vertices at rest are those with y = z = 1/2 that are not at an end.
+# The surface of the bent bar is given; its inside follows.
+# The inner vertices at rest are those with y = z = 1/2 that are not at an end.
 paste -d ' ' <(vertices_of bar.mesh) <(vertices_of one_bar.mesh) | awk '
   !($2 == 0.5 && $3 == 0.5 && $1 > 0 && $1 < last) { print NR - 1, $4, $5, $6 }' \
   last="$(vertices_of bar.mesh | awk '$1 > last { last = $1 } END { print last }')" > surface.handles

@@ -5,7 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Methods with progressive references end where projected Newton ends, and the hybrid preconditioner changes over by its two rules.
+// Methods with progressive references end where projected Newton ends,
+// and the hybrid preconditioner changes over by its two rules.
 
 #define BOOST_TEST_MODULE progressive_methods
 #include <boost/test/included/unit_test.hpp>

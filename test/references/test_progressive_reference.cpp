@@ -5,7 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Progressive references on elements whose Jacobians are given: what distortion they leave, what they leave alone, and when they end.
+// Progressive references on elements whose Jacobians are given: what distortion they leave, what they leave alone,
+// and when they end.
 
 #define BOOST_TEST_MODULE progressive_reference
 #include <boost/test/included/unit_test.hpp>

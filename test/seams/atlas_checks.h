@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Atlases of generated surfaces, checked triangle by triangle: orientations, overlaps by exact intersections of all that come near each other,
-// seams by comparing corners, distortion from lengths.
+// Atlases of generated surfaces, checked triangle by triangle: orientations, overlaps by exact intersections of all that come
+// near each other, seams by comparing corners, distortion from lengths.
 
 #ifndef CGAL_FLIP_FREE_MAPS_TEST_SEAMS_ATLAS_CHECKS_H
 #define CGAL_FLIP_FREE_MAPS_TEST_SEAMS_ATLAS_CHECKS_H
@@ -91,8 +91,8 @@ inline Soup together(const Soup& a, const Soup& b)
   return soup;
 }
 
-// Whether triangles of different charts have a point in common, or two of one chart that are not glued together more than their corners do. Pairs
-// with the same corner on the surface and in the plane are those that may touch.
+// Whether triangles of different charts have a point in common, or two of one chart that are not glued together more than their
+// corners do. Pairs with the same corner on the surface and in the plane are those that may touch.
 template <typename UV>
 bool has_overlap(const Mesh& mesh, UV uv)
 {

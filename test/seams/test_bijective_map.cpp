@@ -96,8 +96,8 @@ struct Example
             return true;
           continue;
         }
-        // Positive triangles with a common edge lie on either side of it. With a common vertex only, an edge of one must not leave that
-        // vertex into the other.
+        // Positive triangles with a common edge lie on either side of it. With a common vertex only, an edge of one must not
+        // leave that vertex into the other.
         if(shared == 1 && (enters(s, t) || enters(t, s)))
           return true;
       }

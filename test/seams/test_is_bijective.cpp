@@ -259,7 +259,8 @@ BOOST_AUTO_TEST_CASE(bad_triangles_and_arrays)
 
 BOOST_AUTO_TEST_CASE(random_maps)
 {
-  // A grid whose vertices are moved at random, by so much that about half of the maps without flips overlap, and strips at random angles.
+  // A grid whose vertices are moved at random, by so much that about half of the maps without flips overlap,
+  // and strips at random angles.
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int counts[2] = {0, 0};

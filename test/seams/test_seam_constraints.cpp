@@ -41,7 +41,8 @@ namespace {
 
 const Plain_point_2 sentinel(12345, -54321);
 
-// A cube of n x n squares a face, on the way to a sphere, cut along a path of three edges of its bottom and its four vertical edges.
+// A cube of n x n squares a face, on the way to a sphere,
+// cut along a path of three edges of its bottom and its four vertical edges.
 struct Inflated_cube
 {
   Mesh mesh;

@@ -78,7 +78,8 @@ BOOST_AUTO_TEST_CASE(components_and_holes)
 
 BOOST_AUTO_TEST_CASE(splits)
 {
-  // A band that is rolled up on a cone's surface overlaps itself when it is laid flat: 18 right triangles' worth of angle around a point.
+  // A band that is rolled up on a cone's surface overlaps itself when it is laid flat:
+  // 18 right triangles' worth of angle around a point.
   Soup soup;
   const int n = 60;
   for(int i = 0; i <= n; ++i)

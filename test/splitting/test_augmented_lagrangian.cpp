@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Whole iterations of the splitting: under the penalties of the convergence theorem the augmented Lagrangian decreases in each, though the
-// step of the dual variables increases it, and the map comes to satisfy J = R P.
+// Whole iterations of the splitting: under the penalties of the convergence theorem the augmented Lagrangian decreases in each,
+// though the step of the dual variables increases it, and the map comes to satisfy J = R P.
 
 #define BOOST_TEST_MODULE augmented_lagrangian
 #include <boost/test/included/unit_test.hpp>
@@ -49,7 +49,8 @@ public:
       m_step.start(domain.jacobian(e, start), domain.measures[e], true, m_elements[e]);
   }
 
-  // The penalties that the theorem asks for at the present stretches, and for rotations h / mu = 4 (A b / mu)^2, where they exceed `least`.
+  // The penalties that the theorem asks for at the present stretches, and for rotations h / mu = 4 (A b / mu)^2,
+  // where they exceed `least`.
   std::vector<double> bounds(std::vector<double> least) const
   {
     for(std::size_t e = 0; e < m_elements.size(); ++e)
@@ -125,7 +126,8 @@ void check_decrease(const FFM::Simplicial_domain<D>& domain, const FFM::Position
   for(std::int32_t v = 0; v < domain.number_of_vertices; v += 4)
     constraints.fixed_vertices.push_back(v);
   const int iterations = 150;
-  // Penalties of the theorem are constant and satisfy its condition at all stretches that occur: runs with growing ones tell which.
+  // Penalties of the theorem are constant and satisfy its condition at all stretches that occur:
+  // runs with growing ones tell which.
   std::vector<double> penalties(domain.elements.size(), 0.);
   bool is_enough = false;
   for(int round = 0; round < 10 && !is_enough; ++round) {

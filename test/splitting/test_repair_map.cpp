@@ -5,7 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Maps with flips are repaired in the plane, by both methods and through a mesh; what cannot be repaired is left alone and said so.
+// Maps with flips are repaired in the plane, by both methods and through a mesh;
+// what cannot be repaired is left alone and said so.
 
 #define BOOST_TEST_MODULE repair_map
 #include <boost/test/included/unit_test.hpp>
@@ -184,7 +185,8 @@ BOOST_AUTO_TEST_CASE(uv_map_of_a_mesh)
 
 BOOST_AUTO_TEST_CASE(conformal_map_that_collapsed)
 {
-  // The antlers of a deer, of which a conformal map leaves next to nothing: the splitting scheme gets by without the second method.
+  // The antlers of a deer, of which a conformal map leaves next to nothing:
+  // the splitting scheme gets by without the second method.
   const std::string folder = std::string(FLIP_FREE_MAPS_SHARED_DATA_DIR) + "/cases/uvrepair/";
   std::ifstream mesh(folder + "deer.obj"), map(folder + "deer_lscm.uv");
   if(!mesh || !map) {

@@ -24,8 +24,8 @@
 #include <utility>
 #include <vector>
 
-// A triangle mesh as a program without CGAL may have one: halfedges in arrays, points that are three numbers. Nothing in it is CGAL's;
-// what CGAL wants to know stands below the class.
+// A triangle mesh as a program without CGAL may have one: halfedges in arrays, points that are three numbers. Nothing in it is
+// CGAL's; what CGAL wants to know stands below the class.
 namespace own {
 
 // A number that knows what it numbers.

@@ -33,8 +33,8 @@ struct Soup
   std::vector<std::array<int, 3>> triangles;
 };
 
-// A sheet over a rectangle with a hill, a dent, waves and diagonals of both directions. The coordinates are float numbers, so that no
-// number type of a mesh rounds them.
+// A sheet over a rectangle with a hill, a dent, waves and diagonals of both directions. The coordinates are float numbers, so
+// that no number type of a mesh rounds them.
 inline Soup bumpy_soup(int columns = 11, int rows = 9)
 {
   Soup soup;

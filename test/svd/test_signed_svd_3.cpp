@@ -135,8 +135,8 @@ BOOST_AUTO_TEST_CASE(rank_deficient_matrices)
   }
 }
 
-// Singular values that are far apart are correct relative to themselves when the columns differ as much as they do: the matrix of a
-// needle. Decompositions through the eigenvalues of J^T J lose half of the digits.
+// Singular values that are far apart are correct relative to themselves when the columns differ as much as they do: the matrix of
+// a needle. Decompositions through the eigenvalues of J^T J lose half of the digits.
 BOOST_AUTO_TEST_CASE(small_singular_values_of_graded_matrices_are_correct_to_their_last_digits)
 {
   Random random(4);

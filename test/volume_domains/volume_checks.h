@@ -49,8 +49,8 @@ inline FFM::Tetrahedral_mesh as_mesh(const Volume& volume)
   return mesh;
 }
 
-// Scale, total volume, and the symmetric Dirichlet energy of a fixed curved map, which depends neither on the numbers nor on the order
-// of vertices and elements. `place` maps the domain's coordinates to the user's.
+// Scale, total volume, and the symmetric Dirichlet energy of a fixed curved map, which depends neither on the numbers nor on the
+// order of vertices and elements. `place` maps the domain's coordinates to the user's.
 struct Fingerprint
 {
   double scale = 0;

@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Traits whose choices are made at run time. One instantiation of an algorithm serves all methods, at the price of a few percent of speed:
-/// for programs that let their users choose, and for comparisons. A default-constructed object holds the default method.
+/// Traits whose choices are made at run time. One instantiation of an algorithm serves all methods, at the price of a few percent
+/// of speed: for programs that let their users choose, and for comparisons.
+/// A default-constructed object holds the default method.
 ///
 /// \cgalModels{MapTraits}
 class Any_map_traits
@@ -79,8 +80,8 @@ public:
     summary.reference = has_progressive_reference() ? Progressive_reference::name() : Fixed_reference::name();
   }
 
-  /// Makes the choices of a method of the literature, energy, linear solver and stopping rules apart, and a Tutte start. Names, with what
-  /// they stand for:
+  /// Makes the choices of a method of the literature, energy, linear solver and stopping rules apart, and a Tutte start. Names,
+  /// with what they stand for:
   ///
   /// | name | preconditioner | reference | acceleration |
   /// |------|----------------|-----------|--------------|
@@ -125,7 +126,8 @@ public:
     return true;
   }
 
-  /// As the function of `Flip_free_map_traits`, if the method is the default and still has its preconditioner and its acceleration.
+  /// As the function of `Flip_free_map_traits`, if the method is the default and still has its preconditioner and its
+  /// acceleration.
   void adapt_to_developable_surface()
   {
     Flip_free_map_traits<> defaults;

@@ -40,7 +40,8 @@ namespace Flip_free_maps {
 /// \tparam Energy_ must be a model of `DistortionEnergy`. <b>Default:</b> \code Symmetric_dirichlet \endcode
 /// \tparam Preconditioner_ must be a model of `Preconditioner`. <b>Default:</b> \code Adaptive_preconditioner \endcode
 /// \tparam Reference_ must be a model of `Reference`. <b>Default:</b> \code Fixed_reference \endcode
-/// \tparam LinearSolver_ must be a model of `SymmetricSparseSolver`. <b>Default:</b> \code Automatic_solver<Cholmod_solver> \endcode when
+/// \tparam LinearSolver_ must be a model of `SymmetricSparseSolver`.
+///         <b>Default:</b> \code Automatic_solver<Cholmod_solver> \endcode when
 ///         `CGAL_FLIP_FREE_MAPS_USE_CHOLMOD` is defined, \code Eigen_simplicial_solver \endcode otherwise
 /// \tparam Acceleration_ must be a model of `Acceleration`. <b>Default:</b> \code Lbfgs \endcode
 /// \tparam RefactorizationRule_ must be a model of `RefactorizationRule`. <b>Default:</b> \code On_demand \endcode
@@ -48,10 +49,11 @@ namespace Flip_free_maps {
 ///         `CGAL::Parallel_if_available_tag`. Results do not depend on it.
 ///         <b>Default:</b> \code CGAL::Parallel_if_available_tag \endcode
 ///
-/// Any parameter may be `CGAL::Default`. The default method takes SLIM's proxy on badly distorted elements and the projected Hessian
-/// elsewhere, and lets L-BFGS reuse a factorization near the optimum; on developable surfaces it takes the Killing operator. The papers' methods are
-/// `Flip_free_map_traits<CGAL::Default, CGAL::Default, P, CGAL::Default, CGAL::Default, No_acceleration, Every_iteration>` with P one of
-/// `Killing`, `Slim`, `Composite_majorization<>` and `Projected_newton`.
+/// Any parameter may be `CGAL::Default`. The default method takes SLIM's proxy on badly distorted elements and the projected
+/// Hessian elsewhere, and lets L-BFGS reuse a factorization near the optimum; on developable surfaces it takes the Killing
+/// operator. The papers' methods are
+/// `Flip_free_map_traits<CGAL::Default, CGAL::Default, P, CGAL::Default, CGAL::Default, No_acceleration, Every_iteration>` with P
+/// one of `Killing`, `Slim`, `Composite_majorization<>` and `Projected_newton`.
 ///
 /// \cgalModels{MapTraits}
 template <typename Kernel_ = CGAL::Default, typename Energy_ = CGAL::Default, typename Preconditioner_ = CGAL::Default,
@@ -99,11 +101,12 @@ public:
   Start_options start;                      ///< the start of a parameterization
   /// @}
 
-  /// Prepares the default method, and only it, for a surface that can be flattened without distortion. `parameterize()` calls it when the
-  /// surface's total curvature, the sum of |2 pi - angles| over all inner vertices, is at most 0.3, and isometries are strict minima of
-  /// the energy. The start is then the surface unfolded triangle by triangle, or, where that tears, one from coarse to fine on meshes of all
-  /// sizes. From there the Killing operator, factorized in every iteration, needs fewer iterations than any other method (three or four):
-  /// it knows the rigid motions of the image, which are what remains to be found.
+  /// Prepares the default method, and only it, for a surface that can be flattened without distortion. `parameterize()` calls it
+  /// when the surface's total curvature, the sum of |2 pi - angles| over all inner vertices, is at most 0.3, and isometries are
+  /// strict minima of the energy. The start is then the surface unfolded triangle by triangle, or, where that tears, one from
+  /// coarse to fine on meshes of all sizes. From there the Killing operator, factorized in every iteration, needs fewer
+  /// iterations than any other method (three or four): it knows the rigid motions of the image,
+  /// which are what remains to be found.
   template <typename P = Preconditioner, typename A = Acceleration, typename R = Refactorization_rule>
   std::enable_if_t<std::is_same<P, Adaptive_preconditioner>::value && std::is_same<A, Lbfgs>::value && std::is_same<R, On_demand>::value>
   adapt_to_developable_surface()

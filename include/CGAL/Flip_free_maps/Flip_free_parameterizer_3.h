@@ -33,8 +33,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The error code of CGAL's package Surface_mesh_parameterization that says the same as `status`. Statuses that leave a valid map are
-/// `OK`: an iteration limit is no error there either.
+/// The error code of CGAL's package Surface_mesh_parameterization that says the same as `status`. Statuses that leave a valid map
+/// are `OK`: an iteration limit is no error there either.
 inline CGAL::Surface_mesh_parameterization::Error_code to_error_code(Status status)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -115,10 +115,11 @@ Traits_with_solver<Traits, SparseLinearAlgebraTraits> with_solver(const Traits& 
 /// \tparam TriangleMesh_ must be a model of `FaceListGraph` whose descriptors are `Hashable`
 /// \tparam BorderParameterizer_ must be a model of CGAL's concept `Parameterizer_3` for borders, such as
 ///   `CGAL::Surface_mesh_parameterization::Square_border_arc_length_parameterizer_3`.
-///   <b>Default:</b> the start that the map traits ask for, from coarse to fine on large meshes; the type `Border_parameterizer` is then
+///   <b>Default:</b> the start that the map traits ask for, from coarse to fine on large meshes;
+///   the type `Border_parameterizer` is then
 ///   \code CGAL::Surface_mesh_parameterization::Circular_border_arc_length_parameterizer_3<TriangleMesh_> \endcode
-/// \tparam SolverTraits_ must be a model of CGAL's concept `SparseLinearAlgebraTraits_d`, and then solves all linear systems but those of
-///   mean-value starts. <b>Default:</b> the linear solver of `MapTraits_`, which is faster
+/// \tparam SolverTraits_ must be a model of CGAL's concept `SparseLinearAlgebraTraits_d`, and then solves all linear systems but
+///   those of mean-value starts. <b>Default:</b> the linear solver of `MapTraits_`, which is faster
 /// \tparam MapTraits_ must be a model of `MapTraits`. <b>Default:</b> \code Flip_free_map_traits<> \endcode
 ///
 /// CGAL passes parameterizers by value; a `Summary` given to the constructor receives the account of the run.
@@ -171,10 +172,11 @@ public:
 
   /// Flattens the component of a border halfedge.
   ///
-  /// \tparam VertexUVMap must be a model of `ReadWritePropertyMap` with vertex descriptors as keys and `%Point_2` of the mesh' kernel as
-  ///   values
+  /// \tparam VertexUVMap must be a model of `ReadWritePropertyMap` with vertex descriptors as keys and `%Point_2` of the mesh'
+  ///   kernel as values
   /// \tparam VertexIndexMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and `int` as values
-  /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with vertex descriptors as keys and `bool` as values
+  /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with vertex descriptors as keys and `bool` as
+  ///   values
   ///
   /// \param mesh a triangle mesh
   /// \param border_halfedge a halfedge on the outer border of the component, a disk that may have holes

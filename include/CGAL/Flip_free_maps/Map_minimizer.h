@@ -89,8 +89,8 @@ public:
   /// The settings; they may be changed between runs.
   Map_options& options() { return m_traits.options; }
 
-  /// Analyses the pattern of the matrix, which the first run does otherwise. It needs no map, so it can be done at the same time as a
-  /// start is made.
+  /// Analyses the pattern of the matrix, which the first run does otherwise. It needs no map, so it can be done at the same time
+  /// as a start is made.
   ///
   /// \param summary times are added to it
   /// \returns whether the linear solver succeeded
@@ -110,9 +110,9 @@ public:
   /// Minimises, beginning at the positions `x`, in the domain's units of length.
   ///
   /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged
-  /// \returns what happened. The status is one of `success`, `iteration_limit`, `time_limit` and `stopped_by_observer`, or a failure:
-  ///   `invalid_option`, `start_not_flip_free`, `linear_solver_failed`, `line_search_failed` or `out_of_memory`. No exception
-  ///   is thrown but those of the observer.
+  /// \returns what happened. The status is one of `success`, `iteration_limit`, `time_limit` and `stopped_by_observer`, or a
+  ///   failure: `invalid_option`, `start_not_flip_free`, `linear_solver_failed`, `line_search_failed` or `out_of_memory`. No
+  ///   exception is thrown but those of the observer.
   Summary minimize(Positions<D>& x)
   {
     Summary summary;
@@ -419,8 +419,9 @@ private:
     return false;
   }
 
-  // Whether the model of the last step, with the gradient of now, predicts a relative decrease of at most `tolerance`: a solve instead of the
-  // factorization of an iteration that would only confirm convergence. The norms of the gradients say when it is worth it.
+  // Whether the model of the last step, with the gradient of now, predicts a relative decrease of at most `tolerance`: a solve
+  // instead of the factorization of an iteration that would only confirm convergence.
+  // The norms of the gradients say when it is worth it.
   bool predicts_small_decrease(Run& run, double tolerance)
   {
     const Progress& progress = run.progress;
@@ -430,8 +431,8 @@ private:
     return 0.5 * run.gradient.dot(run.direction) <= tolerance * std::abs(progress.energy);
   }
 
-  // Where the energy is astronomical, by few elements that nearly collapse, small changes of it say nothing. Where it is not, a large
-  // gradient says nothing: that of a needle is large as soon as it is not a perfect isometry.
+  // Where the energy is astronomical, by few elements that nearly collapse, small changes of it say nothing. Where it is not, a
+  // large gradient says nothing: that of a needle is large as soon as it is not a perfect isometry.
   static bool is_nearly_stationary(const Run& run)
   {
     return run.progress.characteristic_gradient_norm <= 1 || run.progress.rest_energy <= run.energy_of_isometry + ASTRONOMICAL;
@@ -549,7 +550,8 @@ private:
     return allows_flips() || flips(x) == 0;
   }
 
-  // After an attempt that led nowhere: ends the run, or asks for a fresh matrix, then for one that is shifted towards its diagonal.
+  // After an attempt that led nowhere: ends the run, or asks for a fresh matrix,
+  // then for one that is shifted towards its diagonal.
   bool recover(Run& run, bool solved, double slope)
   {
     // A stationary map has no direction of descent beyond rounding.
@@ -638,8 +640,9 @@ private:
     }
   }
 
-  // Leads the fixed vertices to their targets. In each round the quadratic model is minimised with the fixed vertices at their targets, or
-  // part of the way to them; the map goes in that direction half as far as it could without a flip, and is then optimised a little.
+  // Leads the fixed vertices to their targets. In each round the quadratic model is minimised with the fixed vertices at their
+  // targets, or part of the way to them; the map goes in that direction half as far as it could without a flip,
+  // and is then optimised a little.
   bool drag(Run& run, const Positions<D>& targets)
   {
     Summary& summary = run.summary;

@@ -47,9 +47,9 @@ struct Map_options
   /// Stop when |grad E| <= tolerance.
   double gradient_tolerance = 0;
   /// Stop when the relative decrease of the energy is at most this in `stagnation_iterations` steps in a row, or in one step of
-  /// length at least 1/2 along a fresh second-order direction that had promised no more than ten times as much: a short step alone says
-  /// nothing about convergence, nor does one that went too far. Also stop instead of factorizing again when, after such a step, the last
-  /// factorization and the new gradient predict a relative decrease of at most a tenth of this.
+  /// length at least 1/2 along a fresh second-order direction that had promised no more than ten times as much: a short step
+  /// alone says nothing about convergence, nor does one that went too far. Also stop instead of factorizing again when, after
+  /// such a step, the last factorization and the new gradient predict a relative decrease of at most a tenth of this.
   double relative_energy_tolerance = 0;
   /// See `relative_energy_tolerance`.
   int stagnation_iterations = 3;
@@ -68,27 +68,29 @@ struct Map_options
   int max_line_search_steps = 60;
   /// Second-order directions may be followed beyond the full step while the energy decreases.
   bool extend_steps = true;
-  /// Second-order directions are first followed as far as `step_fraction` allows, also beyond the full step, and back from there by
-  /// halves, instead of beginning with the full step. It suits methods that factorize in every iteration: projected Hessians
-  /// overestimate curvature, and long steps make up for it (19 instead of 28 iterations, for example); not those that keep a factorization.
+  /// Second-order directions are first followed as far as `step_fraction` allows, also beyond the full step, and back from there
+  /// by halves, instead of beginning with the full step. It suits methods that factorize in every iteration: projected Hessians
+  /// overestimate curvature, and long steps make up for it (19 instead of 28 iterations, for example);
+  /// not those that keep a factorization.
   bool begin_with_largest_step = false;
-  /// After a short step that ended at a collapsing element, the vertices of the elements that were about to collapse are moved to their
-  /// local optimum, one by one.
+  /// After a short step that ended at a collapsing element, the vertices of the elements that were about to collapse are moved to
+  /// their local optimum, one by one.
   bool free_blocked_vertices = true;
-  /// While a factorization is kept for several iterations, the parts of the elements that were deformed most since are renewed in it, at most one
-  /// for every fifty vertices: a few thin elements change first, and hold up all others (13 instead of 35 iterations on 369,000 triangles, for
-  /// example). It takes part only where a refactorization rule keeps factorizations.
+  /// While a factorization is kept for several iterations, the parts of the elements that were deformed most since are renewed in
+  /// it, at most one for every fifty vertices: a few thin elements change first, and hold up all others (13 instead of 35
+  /// iterations on 369,000 triangles, for example). It takes part only where a refactorization rule keeps factorizations.
   bool renew_factorization = true;
 
-  /// Energies without a barrier, such as `Arap`, are minimised without regard to flips, which the summary counts. The start may have flips
-  /// then. Energies with a barrier take no notice.
+  /// Energies without a barrier, such as `Arap`, are minimised without regard to flips, which the summary counts. The start may
+  /// have flips then. Energies with a barrier take no notice.
   bool allow_flips = false;
-  /// Added to the diagonal of the matrix in each iteration, as Claici et al. 2017 do (c = 1e-4 in section 6.2) against singular matrices.
+  /// Added to the diagonal of the matrix in each iteration, as Claici et al. 2017 do (c = 1e-4 in section 6.2)
+  /// against singular matrices.
   double tikhonov = 0;
   /// A minimizer that runs again begins with the factorization of its last run, for maps that change a little between runs.
   bool keep_factorization = false;
-  /// Bytes that the factor of the matrix may take; beyond, `Automatic_solver`, which is in the default traits, iterates instead. 0 stands for
-  /// half of the machine's memory.
+  /// Bytes that the factor of the matrix may take; beyond, `Automatic_solver`, which is in the default traits, iterates instead.
+  /// 0 stands for half of the machine's memory.
   double memory_budget = 0;
 
   /// Called before the first and after every accepted step; returning `false` stops the run with a valid map.

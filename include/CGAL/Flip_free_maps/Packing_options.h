@@ -20,8 +20,8 @@ namespace Flip_free_maps {
 /// Settings of `pack_charts()`.
 struct Packing_options
 {
-  /// Least distance between the bounding boxes of two charts, in parts of the unit square's side, in (0, 1/2]. Charts keep half of it from
-  /// the sides of the square.
+  /// Least distance between the bounding boxes of two charts, in parts of the unit square's side, in (0, 1/2]. Charts keep half
+  /// of it from the sides of the square.
   double margin = 1. / 256;
   /// Whether charts are turned to where their bounding boxes are smallest. Otherwise they are turned by quarters only.
   bool rotate = true;

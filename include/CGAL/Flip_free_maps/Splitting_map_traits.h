@@ -22,17 +22,17 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Traits with which `parameterize()`, `deform()`, `deform_volume()` and `Deformation` run on the splitting scheme of Stein, Li and Solomon
-/// 2022 instead of descending without flips. Starts and iterates may have flipped elements, handles jump to their targets, and iterations cost
-/// little; the status is `flips_remain` where no map without flips was found. Parameterizations begin with a Tutte embedding or a given
-/// start, such as a conformal or an ARAP map.
+/// Traits with which `parameterize()`, `deform()`, `deform_volume()` and `Deformation` run on the splitting scheme of Stein, Li
+/// and Solomon 2022 instead of descending without flips. Starts and iterates may have flipped elements, handles jump to their
+/// targets, and iterations cost little; the status is `flips_remain` where no map without flips was found. Parameterizations
+/// begin with a Tutte embedding or a given start, such as a conformal or an ARAP map.
 ///
-/// \tparam BaseTraits must be a model of `MapTraits`: the energy, which must be convex in the singular values, the linear solver, the
-///   kernel, the start, and all of it for the polish, if there is one
+/// \tparam BaseTraits must be a model of `MapTraits`: the energy, which must be convex in the singular values, the linear solver,
+///   the kernel, the start, and all of it for the polish, if there is one
 ///
-/// Of `options`, those of the base, the splitting heeds `max_iterations`, `max_seconds`, `target_energy` and the observer, beside its own.
-/// The session `Deformation` begins each move with the factors, the penalties and the factorization of the last one. Bijective maps, seams and
-/// terms of one's own are not for these traits.
+/// Of `options`, those of the base, the splitting heeds `max_iterations`, `max_seconds`, `target_energy` and the observer, beside
+/// its own. The session `Deformation` begins each move with the factors, the penalties and the factorization of the last one.
+/// Bijective maps, seams and terms of one's own are not for these traits.
 ///
 /// \cgalModels{MapTraits}
 template <typename BaseTraits = Flip_free_map_traits<CGAL::Default, Symmetric_gradient>>

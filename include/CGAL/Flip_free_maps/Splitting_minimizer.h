@@ -42,21 +42,22 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Minimises the mean distortion energy of a map by the splitting scheme of Stein, Li and Solomon 2022. The start and the iterates may
-/// have flipped elements: each Jacobian is split into a rotation and a stretch without flips, and the map is drawn towards them. The
-/// result is accepted only when exact predicates find every element positively oriented.
+/// Minimises the mean distortion energy of a map by the splitting scheme of Stein, Li and Solomon 2022. The start and the
+/// iterates may have flipped elements: each Jacobian is split into a rotation and a stretch without flips, and the map is drawn
+/// towards them. The result is accepted only when exact predicates find every element positively oriented.
 ///
-/// The energy has many local minima once flipped elements are let in. From a start with many of them the result may be one in which the map
-/// turns twice around some vertices: all elements are positively oriented, but those around such a vertex overlap.
+/// The energy has many local minima once flipped elements are let in. From a start with many of them the result may be one in
+/// which the map turns twice around some vertices: all elements are positively oriented, but those around such a vertex overlap.
 ///
 /// \tparam D dimension, 2 or 3
-/// \tparam Traits must be a model of `MapTraits`; its energy, linear solver, kernel and concurrency tag are used, and all of it for
-///         the polish. The energy must be convex in the singular values, such as `Symmetric_gradient` and `Symmetric_dirichlet`.
+/// \tparam Traits must be a model of `MapTraits`; its energy, linear solver, kernel and concurrency tag are used,
+///         and all of it for the polish. The energy must be convex in the singular values,
+///         such as `Symmetric_gradient` and `Symmetric_dirichlet`.
 /// \tparam Step must be a model of `SplittingStep`
 ///
-/// Complexity: an iteration is linear in the number of elements, with one pair of sparse triangular solves of |V| unknowns per coordinate.
-/// The matrix is factorized anew when penalties change, about 5 + log2(n / 5) times in n iterations without flips; its
-/// pattern is analysed once.
+/// Complexity: an iteration is linear in the number of elements, with one pair of sparse triangular solves of |V| unknowns per
+/// coordinate. The matrix is factorized anew when penalties change, about 5 + log2(n / 5) times in n iterations without flips;
+/// its pattern is analysed once.
 template <int D, typename Traits = Flip_free_map_traits<CGAL::Default, Symmetric_gradient>,
           typename Step = Admm_splitting_step<D, typename Traits::Energy>>
 class Splitting_minimizer
@@ -91,11 +92,11 @@ public:
 
   /// Minimises, beginning at the positions `x`, in the domain's units of length.
   ///
-  /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged. Fixed
-  ///   vertices keep their positions exactly.
+  /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged.
+  ///   Fixed vertices keep their positions exactly.
   /// \returns what happened. When the run ends early, the last iterate without flipped elements is the result, and the status is
-  ///   `iteration_limit`, `time_limit` or `stopped_by_observer`; when there was none, it is `flips_remain`, and `Summary::flips` tells
-  ///   how many flipped elements the last iterate had. Other failures are `invalid_option`, `non_finite_input`,
+  ///   `iteration_limit`, `time_limit` or `stopped_by_observer`; when there was none, it is `flips_remain`, and `Summary::flips`
+  ///   tells how many flipped elements the last iterate had. Other failures are `invalid_option`, `non_finite_input`,
   ///   `unreachable_constraints` (all vertices are fixed, and elements flipped), `linear_solver_failed` and `out_of_memory`. No
   ///   exception is thrown but those of the observer.
   Summary minimize(Positions<D>& x)
@@ -108,10 +109,10 @@ public:
   /// The same, adding to the counts and times of a given summary.
   void minimize(Positions<D>& x, Summary& summary) { minimize(x, x, summary); }
 
-  /// The same, where the rotations and stretches in the beginning are those of another map, `model`. The first iterate is the map whose
-  /// Jacobians are the closest to the model's and which has the fixed vertices where `x` has them. So handles may be moved far: `model` is
-  /// the map before, in which nothing is flipped, and `x` the same with the handles at their new places. The positions that `x` gives
-  /// to other vertices do not matter then.
+  /// The same, where the rotations and stretches in the beginning are those of another map, `model`. The first iterate is the map
+  /// whose Jacobians are the closest to the model's and which has the fixed vertices where `x` has them. So handles may be moved
+  /// far: `model` is the map before, in which nothing is flipped, and `x` the same with the handles at their new places. The
+  /// positions that `x` gives to other vertices do not matter then.
   void minimize(Positions<D>& x, const Positions<D>& model, Summary& summary)
   {
     try {
@@ -144,8 +145,8 @@ public:
       x.swap(moved);
   }
 
-  /// As `minimize()` without a polish, whatever the options say: a program that calls no other function is spared the compilation of
-  /// `Map_minimizer`.
+  /// As `minimize()` without a polish, whatever the options say: a program that calls no other function is spared the compilation
+  /// of `Map_minimizer`.
   void split(Positions<D>& x, const Positions<D>& model, Summary& summary)
   {
     summary.vertices = m_domain.number_of_vertices;
@@ -233,7 +234,8 @@ private:
     if(!is_warm)
       m_is_inert = m_options.proximal_rotation == Proximal_rotation::on ||
                    (m_options.proximal_rotation == Proximal_rotation::automatic && flips <= MANY_FLIPS * m_domain.number_of_elements());
-    // With a model of its own, the first iterate is to come near it; the Jacobians of x are entered so that its increment is right.
+    // With a model of its own, the first iterate is to come near it;
+    // the Jacobians of x are entered so that its increment is right.
     {
       const internal::Phase_timer timer(summary.seconds.assemble);
       m_elements.resize(m_domain.elements.size());

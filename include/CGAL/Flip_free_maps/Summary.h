@@ -51,7 +51,8 @@ struct Summary
   int fallbacks = 0;                        ///< iterations in which `Newton` projected the Hessian
   double energy_initial = -1;               ///< mean energy of the start (symmetric Dirichlet: an isometry has 1)
   double energy = -1;                       ///< mean energy of the result
-  double energy_of_terms = 0;               ///< the part of `energy` that terms beside the elements contribute, soft positions for example
+  double energy_of_terms = 0;               ///< the part of `energy` that terms beside the elements contribute,
+                                            ///< soft positions for example
   double gradient_norm = -1;                ///< Euclidean norm of the gradient at the end, on the mesh scaled to measure 1
   double characteristic_gradient_norm = -1; ///< the same over the characteristic gradient (see `Map_options`)
   double min_singular_value = -1;           ///< smallest singular value over all elements

@@ -35,19 +35,23 @@ struct Unwrap_progress
 /// Settings of `unwrap()`.
 struct Unwrap_options
 {
-  /// Where the surface is cut open. With `Cut_options::join_borders`, the default, holes are joined by seams, so that charts are disks; but
-  /// a piece that is nearly flat, with energy at most 1.01, keeps its holes. Without, all charts may have holes.
+  /// Where the surface is cut open. With `Cut_options::join_borders`, the default, holes are joined by seams, so that charts are
+  /// disks; but a piece that is nearly flat, with energy at most 1.01, keeps its holes. Without, all charts may have holes.
   Cut_options cut;
   /// How charts are laid into the unit square.
   Packing_options packing;
-  /// Whether charts are packed. Otherwise each stays where it was flattened, in the units of the surface; charts lie upon each other then.
+  /// Whether charts are packed. Otherwise each stays where it was flattened, in the units of the surface;
+  /// charts lie upon each other then.
   bool pack = true;
-  /// Charts whose mean symmetric Dirichlet energy exceeds this are split; above 1, where 1 is an isometry. If it is finite, it lowers
-  /// `Cut_options::target_energy` to itself, and disks are cut, too: seams to the places that are distorted most come before splits.
+  /// Charts whose mean symmetric Dirichlet energy exceeds this are split; above 1, where 1 is an isometry. If it is finite, it
+  /// lowers `Cut_options::target_energy` to itself, and disks are cut, too:
+  /// seams to the places that are distorted most come before splits.
   double max_distortion = std::numeric_limits<double>::infinity();
-  /// After this many seconds of wall-clock time no chart is improved any more. The result is as valid as any other, but more distorted.
+  /// After this many seconds of wall-clock time no chart is improved any more. The result is as valid as any other,
+  /// but more distorted.
   double max_seconds = std::numeric_limits<double>::infinity();
-  /// Called at the beginning of each chart and in each iteration. When it returns `false`, the rest is done as if the time were up.
+  /// Called at the beginning of each chart and in each iteration. When it returns `false`,
+  /// the rest is done as if the time were up.
   std::function<bool(const Unwrap_progress&)> observer;
 
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.

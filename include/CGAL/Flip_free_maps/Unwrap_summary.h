@@ -48,10 +48,12 @@ struct Unwrap_summary
   int splits_of_distortion = 0;           ///< how often a chart was split because of `Unwrap_options::max_distortion`
   int splits_of_failures = 0;             ///< how often a chart was split because it could not be flattened
   double energy = -1;                     ///< mean symmetric Dirichlet energy, weighted by areas on the surface
-  std::int64_t flips = -1;                ///< triangles that are not positively oriented, by exact predicates: 0 in every valid atlas
+  std::int64_t flips = -1;                ///< triangles that are not positively oriented, by exact predicates:
+                                          ///< 0 in every valid atlas
   std::int64_t seam_edges = -1;           ///< edges within the surface whose two triangles give different images to them
   double seam_length = -1;                ///< their length on the surface
-  double scale = -1;                      ///< length in the atlas over length on the surface: the scale of the packing, or 1 without
+  double scale = -1;                      ///< length in the atlas over length on the surface: the scale of the packing,
+                                          ///< or 1 without
   double occupancy = -1;                  ///< the part of the unit square that is covered; -1 without packing
   double cut_seconds = 0;                 ///< wall-clock seconds of cutting
   double flatten_seconds = 0;             ///< of flattening, tests for overlaps and splits

@@ -22,8 +22,8 @@ namespace Flip_free_maps {
 namespace parameters {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Whether the image of the surface must not overlap itself, not even where its borders meet; see \ref FFMBijective. Maps that are not
-/// certified by exact predicates to be so end with the status `not_bijective`.
+/// Whether the image of the surface must not overlap itself, not even where its borders meet; see \ref FFMBijective. Maps that
+/// are not certified by exact predicates to be so end with the status `not_bijective`.
 template <typename Base = CGAL::parameters::Default_named_parameters>
 auto bijective(bool is_bijective, const Base& base = Base())
 {

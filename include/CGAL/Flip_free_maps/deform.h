@@ -31,12 +31,12 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// A shape that is deformed again and again as its handles move: the matrix' pattern is analysed once, each move begins with the result of
-/// the last one, and with its factorization as long as that serves. It is what an interactive program holds.
+/// A shape that is deformed again and again as its handles move: the matrix' pattern is analysed once, each move begins with the
+/// result of the last one, and with its factorization as long as that serves. It is what an interactive program holds.
 ///
 /// \tparam D 2 for planar shapes, 3 for solids
-/// \tparam Traits must be a model of `MapTraits`. With `Splitting_map_traits` handles jump, iterations cost little, and the shape keeps its
-///   place and the status is `flips_remain` where no map without flips was found.
+/// \tparam Traits must be a model of `MapTraits`. With `Splitting_map_traits` handles jump, iterations cost little, and the shape
+///   keeps its place and the status is `flips_remain` where no map without flips was found.
 ///
 /// All positions are in the user's units of length.
 template <int D, typename Traits = Flip_free_map_traits<>>
@@ -73,15 +73,15 @@ public:
   /// The current shape.
   const Positions<D>& positions() const { return m_positions; }
 
-  /// The settings, `Map_options`, or `Splitting_options` with `Splitting_map_traits`; they may be changed between moves. An iteration
-  /// limit of a few makes a move a quick one that leaves the rest to the next.
+  /// The settings, `Map_options`, or `Splitting_options` with `Splitting_map_traits`; they may be changed between moves. An
+  /// iteration limit of a few makes a move a quick one that leaves the rest to the next.
   auto& options() { return m_minimizer.options(); }
 
-  /// Moves the handles to `targets`, a column for each, and optimises the shape. On the way there no element flips, however far the
-  /// handles go. Handles are exactly at their targets afterwards.
+  /// Moves the handles to `targets`, a column for each, and optimises the shape. On the way there no element flips, however far
+  /// the handles go. Handles are exactly at their targets afterwards.
   ///
-  /// \returns what happened; `unreachable_constraints` if no path was found, `non_finite_input` for targets that are no numbers. The shape
-  ///   changes only if the summary `is_valid()`.
+  /// \returns what happened; `unreachable_constraints` if no path was found, `non_finite_input` for targets that are no numbers.
+  ///   The shape changes only if the summary `is_valid()`.
   Summary move(const Positions<D>& targets)
   {
     Summary summary;
@@ -133,8 +133,8 @@ private:
 };
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Deforms a planar shape: vertices that are handles go where they are told, the others follow with as little distortion as possible,
-/// and no triangle flips. For handles that move again and again see `Deformation`.
+/// Deforms a planar shape: vertices that are handles go where they are told, the others follow with as little distortion as
+/// possible, and no triangle flips. For handles that move again and again see `Deformation`.
 ///
 /// \tparam TriangleMesh must be a model of `FaceListGraph` whose descriptors are `Hashable`
 /// \tparam Handles a range of pairs of vertex descriptors and planar points
@@ -149,7 +149,8 @@ private:
 /// \param np `vertex_point_map`, points in the plane or in space with the same third coordinate; and
 ///   `Flip_free_maps::parameters::start_map`, the shape to begin with instead of the one at rest
 ///
-/// \returns how it ended and what it cost: as `parameterize()`, or `not_planar`, `several_components` or `unreachable_constraints`
+/// \returns how it ended and what it cost: as `parameterize()`, or `not_planar`,
+///   `several_components` or `unreachable_constraints`
 template <typename TriangleMesh, typename Handles, typename VertexPointMap2, typename Traits,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2 result, const Traits& traits,

@@ -30,32 +30,34 @@ namespace Flip_free_maps {
 /// Settings of `deform_volume()`.
 struct Deform_volume_options
 {
-  /// If positive, handles are pulled to their targets instead of being held there: this times the squared distance in the domain's
-  /// units, in which the volume is 1, is added to the mean energy for each.
+  /// If positive, handles are pulled to their targets instead of being held there: this times the squared distance in the
+  /// domain's units, in which the volume is 1, is added to the mean energy for each.
   double soft_weight = 0;
-  /// The shape to begin with, without flips: user's coordinates of the vertices by their numbers in the domain. Empty for the rest shape.
+  /// The shape to begin with, without flips: user's coordinates of the vertices by their numbers in the domain.
+  /// Empty for the rest shape.
   Positions<3> start = Positions<3>(3, 0);
 };
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Deforms a solid: vertices that are handles go where they are told, the others follow with as little distortion as possible, and no
-/// tetrahedron flips. For handles that move again and again see `Deformation`.
+/// Deforms a solid: vertices that are handles go where they are told, the others follow with as little distortion as possible,
+/// and no tetrahedron flips. For handles that move again and again see `Deformation`.
 ///
 /// \tparam Vertex what the user names a vertex by: a handle of a triangulation, or a number
 /// \tparam Handles a range of pairs of `Vertex` and points in space
 /// \tparam VertexPointMap must be a model of `WritablePropertyMap` with `Vertex` as key and points in space as values
 /// \tparam Traits must be a model of `MapTraits`
 ///
-/// \param volume the rest shape: a loaded `Mesh_complex_3_domain`, `Triangulation_3_domain`, `Tetgen_domain` or `Tetrahedral_domain`
+/// \param volume the rest shape: a loaded `Mesh_complex_3_domain`, `Triangulation_3_domain`,
+///   `Tetgen_domain` or `Tetrahedral_domain`
 /// \param handles the handles and their targets
-/// \param result receives the deformed positions of all vertices of tetrahedra. It is written once, at the end, if the map is valid, and left
-///   untouched otherwise; the points of the user's mesh are never moved.
+/// \param result receives the deformed positions of all vertices of tetrahedra. It is written once, at the end, if the map is
+///   valid, and left untouched otherwise; the points of the user's mesh are never moved.
 /// \param traits the method and its settings
 /// \param options soft handles, and another start
 ///
-/// \returns how it ended and what it cost: a valid map, or one of `empty_mesh`, `several_components` (each needs handles of its own: deform
-///   them one by one), `invalid_option`, `unreachable_constraints`, `non_finite_input`, `linear_solver_failed`, `line_search_failed`,
-///   `result_not_representable` and `out_of_memory`
+/// \returns how it ended and what it cost: a valid map, or one of `empty_mesh`, `several_components` (each needs handles of its
+///   own: deform them one by one), `invalid_option`, `unreachable_constraints`, `non_finite_input`, `linear_solver_failed`,
+///   `line_search_failed`, `result_not_representable` and `out_of_memory`
 template <typename Vertex, typename Handles, typename VertexPointMap, typename Traits = Flip_free_map_traits<>>
 Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handles, VertexPointMap result, const Traits& traits = Traits(),
                       const Deform_volume_options& options = Deform_volume_options())

@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Whether a map of triangles is injective, borders included. A point of the plane is the image of as many points of the surface as the
-// borders wind around it, since all triangles are positive; so it suffices that the borders are disjoint and wind around nothing twice.
+// Whether a map of triangles is injective, borders included. A point of the plane is the image of as many points of the surface
+// as the borders wind around it, since all triangles are positive;
+// so it suffices that the borders are disjoint and wind around nothing twice.
 inline bool is_bijective(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x, std::string* message = nullptr)
 {
   if(!x.allFinite())
@@ -60,8 +61,8 @@ inline bool is_bijective(const Simplicial_domain<2>& domain, const Positions<2>&
   return is_bijective(domain.elements, x, message);
 }
 
-// Numbers corners so that those with the same vertex and the same image have the same number: an edge whose two triangles agree on its image
-// is no seam.
+// Numbers corners so that those with the same vertex and the same image have the same number: an edge whose two triangles agree
+// on its image is no seam.
 template <typename Vertex>
 class Corner_numbers
 {
@@ -121,8 +122,9 @@ bool is_bijective_on_corners(const TriangleMesh& mesh, Image&& image, std::strin
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Whether a map of a whole triangle mesh into the plane takes different points to different points, by exact predicates: no triangle is
-/// flipped or collapsed, and no part of the image covers another part. The mesh may have holes and several components.
+/// Whether a map of a whole triangle mesh into the plane takes different points to different points, by exact predicates: no
+/// triangle is flipped or collapsed, and no part of the image covers another part.
+/// The mesh may have holes and several components.
 ///
 /// Touching counts as covering: where borders share a point in the plane that they do not share on the surface, the map is not
 /// bijective, also if no area is covered twice.
@@ -135,11 +137,12 @@ bool is_bijective_on_corners(const TriangleMesh& mesh, Image&& image, std::strin
 /// \param uv_map the map
 /// \param message if not null, receives a sentence when the answer is `false`
 ///
-/// The number of preimages of a point of the plane is the number of times that the borders wind around it once all triangles are positive.
-/// Therefore borders are all that is tested beside orientations: no two of their edges cross or touch, and each curve encloses what it should.
+/// The number of preimages of a point of the plane is the number of times that the borders wind around it once all triangles are
+/// positive. Therefore borders are all that is tested beside orientations: no two of their edges cross or touch,
+/// and each curve encloses what it should.
 ///
-/// Complexity: \f$ O(n \log n + b \log^2 b + k + c^2) \f$ for \f$ n \f$ triangles, \f$ b \f$ border edges with \f$ k \f$ pairs of overlapping
-/// bounding boxes, and \f$ c \f$ borders.
+/// Complexity: \f$ O(n \log n + b \log^2 b + k + c^2) \f$ for \f$ n \f$ triangles, \f$ b \f$ border edges with \f$ k \f$ pairs of
+/// overlapping bounding boxes, and \f$ c \f$ borders.
 template <typename TriangleMesh, typename VertexUVMap>
 bool is_bijective(const TriangleMesh& mesh, VertexUVMap uv_map, std::string* message = nullptr)
 {
@@ -147,11 +150,11 @@ bool is_bijective(const TriangleMesh& mesh, VertexUVMap uv_map, std::string* mes
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same for a map that is keyed by the corners of triangles, as `unwrap()` writes it. An edge is a seam where its two triangles give
-/// different images to it.
+/// The same for a map that is keyed by the corners of triangles, as `unwrap()` writes it. An edge is a seam where its two
+/// triangles give different images to it.
 ///
-/// \tparam HalfedgeUVMap must be a model of `ReadablePropertyMap` with halfedge descriptors as keys and planar points as values: the
-///   image of `target(h, mesh)` in the triangle `face(h, mesh)`. Values of border halfedges are not read.
+/// \tparam HalfedgeUVMap must be a model of `ReadablePropertyMap` with halfedge descriptors as keys and planar points as values:
+///   the image of `target(h, mesh)` in the triangle `face(h, mesh)`. Values of border halfedges are not read.
 template <typename TriangleMesh, typename HalfedgeUVMap>
 bool is_atlas_bijective(const TriangleMesh& mesh, HalfedgeUVMap uv_map, std::string* message = nullptr)
 {

@@ -33,8 +33,8 @@ enum class Volume_start
 };
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Maps a volume whose boundary is mapped already to the volume inside the image of the boundary: volume correspondence (Stein, Li and
-/// Solomon 2022, section 8.3). Flips of the start are removed by `repair_map()`, then the distortion is minimised.
+/// Maps a volume whose boundary is mapped already to the volume inside the image of the boundary: volume correspondence (Stein,
+/// Li and Solomon 2022, section 8.3). Flips of the start are removed by `repair_map()`, then the distortion is minimised.
 ///
 /// \tparam Traits must be a model of `MapTraits`. <b>Default:</b> the symmetric gradient energy, as in the paper
 ///
@@ -45,8 +45,8 @@ enum class Volume_start
 /// \param start where the other vertices begin
 /// \param options how flips are removed, and whether the distortion is minimised at the end
 /// \param traits the method of the minimisation
-/// \returns what happened, as `repair_map()`; `linear_solver_failed` also where a component of the volume has no prescribed position and
-///   `start` is `Volume_start::extension`
+/// \returns what happened, as `repair_map()`; `linear_solver_failed` also where a component of the volume has no prescribed
+///   position and `start` is `Volume_start::extension`
 template <typename Traits = Flip_free_map_traits<CGAL::Default, Symmetric_gradient>>
 Summary map_volume(const Simplicial_domain<3>& domain, const std::vector<std::int32_t>& boundary_vertices, Positions<3>& x,
                    Volume_start start = Volume_start::extension, const Repair_options& options = Repair_options(),

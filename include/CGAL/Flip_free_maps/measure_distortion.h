@@ -36,13 +36,15 @@ namespace Flip_free_maps {
 /// Distortion of a map of a whole surface. Means are weighted by the areas of the surface.
 struct Distortion_report
 {
-  Status status = Status::empty_mesh;        ///< `success`, `empty_mesh`, `not_triangular`, `non_finite_input` or `degenerate_rest_element`
+  Status status = Status::empty_mesh;        ///< `success`, `empty_mesh`, `not_triangular`,
+                                             ///< `non_finite_input` or `degenerate_rest_element`
   std::string message;                       ///< a sentence, when the status is not `success`
   std::int64_t elements = 0;                 ///< number of triangles
   std::int64_t flips = 0;                    ///< triangles that are not positively oriented, by exact predicates
   double rest_area = 0;                      ///< area of the surface
   double image_area = 0;                     ///< area of the image, flipped triangles counted negatively
-  double energy = 0;                         ///< mean symmetric Dirichlet energy (isometry 1); infinite when a triangle collapses or flips
+  double energy = 0;                         ///< mean symmetric Dirichlet energy (isometry 1);
+                                             ///< infinite when a triangle collapses or flips
   double energy_of_similarity = 0;           ///< the same after the best uniform scaling of the image
   double max_energy = 0;                     ///< largest energy of a triangle
   double mean_angle_distortion = 0;          ///< mean of (s_1/s_2 + s_2/s_1) / 2, 1 for a conformal map
@@ -63,16 +65,16 @@ public:
     m_report.max_singular_value = -std::numeric_limits<double>::infinity();
   }
 
-  // Enters the triangle with the given columns of corners in space and in the plane. Returns its symmetric Dirichlet energy, +infinity
-  // when it is not positively oriented; NaN, with the report's status set, when the triangle cannot be measured.
+  // Enters the triangle with the given columns of corners in space and in the plane. Returns its symmetric Dirichlet energy,
+  // +infinity when it is not positively oriented; NaN, with the report's status set, when the triangle cannot be measured.
   double add(const Matrix<3>& points, const Eigen::Matrix<double, 2, 3>& image)
   {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     const double infinity = std::numeric_limits<double>::infinity();
     if(!points.allFinite() || !image.allFinite())
       return fail(Status::non_finite_input, "a coordinate is NaN or infinite in face number ");
-    // The unit of length has the magnitude of the first triangle, so that areas neither overflow nor vanish. It is a power of two,
-    // which rounds nothing.
+    // The unit of length has the magnitude of the first triangle, so that areas neither overflow nor vanish. It is a power of
+    // two, which rounds nothing.
     Matrix<3> scaled_points = points;
     scaled_points.colwise() -= points.col(0).eval();
     if(m_report.elements == 0) {
@@ -195,8 +197,8 @@ Distortion_report measure_distortion(const TriangleMesh& mesh, VertexUVMap uv_ma
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Measures a map that is keyed by the corners of the triangles, as files hold it. `face_energies`, if not null, receives the symmetric
-/// Dirichlet energy of each triangle, +infinity for those that are collapsed or flipped.
+/// Measures a map that is keyed by the corners of the triangles, as files hold it. `face_energies`, if not null, receives the
+/// symmetric Dirichlet energy of each triangle, +infinity for those that are collapsed or flipped.
 inline Distortion_report measure_distortion(const Textured_mesh& mesh, std::vector<double>* face_energies = nullptr)
 {
   internal::Distortion_measure measure;
@@ -219,7 +221,8 @@ inline Distortion_report measure_distortion(const Textured_mesh& mesh, std::vect
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Writes the symmetric Dirichlet energy of each triangle to a property map; +infinity for triangles that are collapsed or flipped.
+/// Writes the symmetric Dirichlet energy of each triangle to a property map;
+/// +infinity for triangles that are collapsed or flipped.
 ///
 /// \tparam TriangleMesh must be a model of `FaceListGraph`
 /// \tparam VertexUVMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values
@@ -238,8 +241,8 @@ Status face_distortions(const TriangleMesh& mesh, VertexUVMap uv_map, FaceDistor
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The number of triangles of a mesh whose image is not positively oriented, by exact predicates. Collapsed triangles count; so do
-/// those with a coordinate that is not finite. Reads the uv map only, not the mesh' points.
+/// The number of triangles of a mesh whose image is not positively oriented, by exact predicates. Collapsed triangles count; so
+/// do those with a coordinate that is not finite. Reads the uv map only, not the mesh' points.
 ///
 /// \tparam TriangleMesh must be a model of `FaceListGraph`, of triangles
 /// \tparam VertexUVMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values

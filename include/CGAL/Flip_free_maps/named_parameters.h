@@ -41,8 +41,8 @@ namespace parameters {
 using namespace CGAL::parameters;
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The positions to begin with: a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values, in the units
-/// of the surface. They must be without flipped triangles.
+/// The positions to begin with: a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values, in
+/// the units of the surface. They must be without flipped triangles.
 template <typename StartMap, typename Base = CGAL::parameters::Default_named_parameters>
 auto start_map(const StartMap& map, const Base& base = Base())
 {
@@ -50,8 +50,8 @@ auto start_map(const StartMap& map, const Base& base = Base())
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Weights of the faces, by which their areas are multiplied in the mean energy: a model of `ReadablePropertyMap` with face descriptors as
-/// keys and positive numbers as values.
+/// Weights of the faces, by which their areas are multiplied in the mean energy: a model of `ReadablePropertyMap` with face
+/// descriptors as keys and positive numbers as values.
 template <typename FaceWeightMap, typename Base = CGAL::parameters::Default_named_parameters>
 auto face_weight_map(const FaceWeightMap& map, const Base& base = Base())
 {
@@ -59,8 +59,8 @@ auto face_weight_map(const FaceWeightMap& map, const Base& base = Base())
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Soft positions: a range of `std::tuple<vertex_descriptor, Point_2, double>`, a vertex, the place that it is pulled to and the weight.
-/// Each adds weight |x - place|^2, with lengths in units of the square root of the surface's area, to the mean energy.
+/// Soft positions: a range of `std::tuple<vertex_descriptor, Point_2, double>`, a vertex, the place that it is pulled to and the
+/// weight. Each adds weight |x - place|^2, with lengths in units of the square root of the surface's area, to the mean energy.
 template <typename SoftPositions, typename Base = CGAL::parameters::Default_named_parameters>
 auto soft_positions(const SoftPositions& positions, const Base& base = Base())
 {

@@ -27,20 +27,21 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Flattens a surface patch into the plane with as little distortion as possible and no flipped triangle. The patch is a disk, which may
-/// have holes.
+/// Flattens a surface patch into the plane with as little distortion as possible and no flipped triangle. The patch is a disk,
+/// which may have holes.
 ///
-/// \tparam TriangleMesh must be a model of `FaceListGraph` whose descriptors are `Hashable`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`,
-///   `CGAL::Seam_mesh`, `CGAL::Face_filtered_graph`, OpenMesh, or a user's own
+/// \tparam TriangleMesh must be a model of `FaceListGraph` whose descriptors are `Hashable`: `CGAL::Surface_mesh`,
+///   `CGAL::Polyhedron_3`, `CGAL::Seam_mesh`, `CGAL::Face_filtered_graph`, OpenMesh, or a user's own
 /// \tparam VertexUVMap must be a model of `WritablePropertyMap` with vertex descriptors as keys and planar points as values
 /// \tparam Traits must be a model of `MapTraits`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a triangle mesh
-/// \param border_halfedge a halfedge on the outer border of the component to be flattened, which must be of genus 0. All other borders
-///   are holes: the start closes them, the map does not. Any border may be the outer one; the choice decides which map is found
-/// \param uv_map receives the map in the units of length of the surface: an isometry keeps all lengths. It is written once, at the
-///   end, if the map is valid, and left untouched otherwise. Orientation is positive: triangles are counterclockwise.
+/// \param border_halfedge a halfedge on the outer border of the component to be flattened, which must be of genus 0. All other
+///   borders are holes: the start closes them, the map does not. Any border may be the outer one;
+///   the choice decides which map is found
+/// \param uv_map receives the map in the units of length of the surface: an isometry keeps all lengths. It is written once, at
+///   the end, if the map is valid, and left untouched otherwise. Orientation is positive: triangles are counterclockwise.
 /// \param traits the method and its settings, see `Flip_free_map_traits`
 /// \param np optional named parameters
 ///
@@ -81,14 +82,15 @@ namespace Flip_free_maps {
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{Flip_free_maps::parameters::bijective}
-///     \cgalParamDescription{whether the image must not overlap itself, see \ref FFMBijective; declared in `CGAL/Flip_free_maps/bijective.h`}
+///     \cgalParamDescription{whether the image must not overlap itself, see \ref FFMBijective; declared in
+///     `CGAL/Flip_free_maps/bijective.h`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns how it ended and what it cost; `Summary::is_valid()` tells whether `uv_map` was written. Bad input gives a status and a
-///   message, not an exception: `no_border`, `empty_mesh`, `not_triangular`, `not_a_disk`, `non_manifold`,
+/// \returns how it ended and what it cost; `Summary::is_valid()` tells whether `uv_map` was written. Bad input gives a status and
+///   a message, not an exception: `no_border`, `empty_mesh`, `not_triangular`, `not_a_disk`, `non_manifold`,
 ///   `degenerate_rest_element`, `non_finite_input`, `start_not_flip_free`, `invalid_option`, `linear_solver_failed`,
 ///   `line_search_failed`, `result_not_representable`, `not_bijective`, `out_of_memory`.
 ///

@@ -24,22 +24,25 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsSeams
-/// Flattens a surface that is cut along seams such that the two sides of each seam fit together: by a similarity, or by a rotation by a
-/// multiple of 90 degrees and a translation (a seamless map), see `meet_seam_constraints()`. A seam is a chain of seam edges between
-/// vertices where it ends, branches, meets the border or passes a cone, a vertex of great curvature; each has one transformation. Cones of
-/// a map are at ends of seams, so there should be seams to some points of great curvature, at least three on a sphere.
+/// Flattens a surface that is cut along seams such that the two sides of each seam fit together: by a similarity, or by a
+/// rotation by a multiple of 90 degrees and a translation (a seamless map), see `meet_seam_constraints()`. A seam is a chain of
+/// seam edges between vertices where it ends, branches, meets the border or passes a cone, a vertex of great curvature; each has
+/// one transformation. Cones of a map are at ends of seams, so there should be seams to some points of great curvature,
+/// at least three on a sphere.
 ///
 /// \tparam SeamMesh must be a `CGAL::Seam_mesh` of triangles
-/// \tparam VertexUVMap must be a model of `WritablePropertyMap` with vertex descriptors of the seam mesh as keys and planar points as values
+/// \tparam VertexUVMap must be a model of `WritablePropertyMap` with vertex descriptors of the seam mesh as keys and planar
+///   points as values
 /// \tparam Traits must be a model of `MapTraits`
 ///
 /// \param mesh the cut surface; the component of `border_halfedge` must be a topological disk, or one with holes
 /// \param border_halfedge a halfedge on the outer border of the cut surface, on a seam for example
-/// \param uv_map receives the map as `parameterize()` writes it, if the map is valid and the seams meet their tolerance; untouched otherwise
+/// \param uv_map receives the map as `parameterize()` writes it,
+///   if the map is valid and the seams meet their tolerance; untouched otherwise
 /// \param options what relates the sides of a seam, and how exactly
 /// \param traits the method and its settings
-/// \returns the account of the run, with the residual and the transformations, in the order of `find_seams()`. The statuses are those of
-///   `parameterize()`, and `unreachable_constraints`.
+/// \returns the account of the run, with the residual and the transformations, in the order of `find_seams()`. The statuses are
+///   those of `parameterize()`, and `unreachable_constraints`.
 ///
 /// Complexity: some ten runs of the minimiser from one solution to the next.
 template <typename SeamMesh, typename VertexUVMap, typename Traits = Flip_free_map_traits<>>

@@ -88,12 +88,12 @@ struct Repair_options
 };
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Turns any map into one without flipped elements: by the splitting scheme, stopped at its first iterate without flips (Stein, Li and
-/// Solomon 2022), where that fails by a regularised energy (Garanzha et al. 2021), and then minimises its distortion without flipping an
-/// element again. A map most of which is mirrored is mirrored first, if no position is constrained.
+/// Turns any map into one without flipped elements: by the splitting scheme, stopped at its first iterate without flips (Stein,
+/// Li and Solomon 2022), where that fails by a regularised energy (Garanzha et al. 2021), and then minimises its distortion
+/// without flipping an element again. A map most of which is mirrored is mirrored first, if no position is constrained.
 ///
-/// All elements are positively oriented then, but where flips were many the map may turn twice around a vertex, and the elements around it
-/// overlap, see `Splitting_minimizer`.
+/// All elements are positively oriented then, but where flips were many the map may turn twice around a vertex, and the elements
+/// around it overlap, see `Splitting_minimizer`.
 ///
 /// \tparam D dimension, 2 or 3
 /// \tparam Traits must be a model of `MapTraits`: what the polish minimises, and how
@@ -103,10 +103,11 @@ struct Repair_options
 /// \param constraints fixed vertices keep their positions exactly
 /// \param options what is done
 /// \param traits the polish
-/// \returns what happened; `Summary::start` names the methods that were tried. When no method finds a map without flips, the status is
-///   `flips_remain`, and `Summary::flips` tells how many flipped elements the last method left. When the polish fails, the map that it
-///   was given is the result, and `Summary::message` says so. Other failures are those of `Splitting_minimizer::minimize()`;
-///   settings of the polish that are out of range are `invalid_option` even if there is no polish.
+/// \returns what happened; `Summary::start` names the methods that were tried. When no method finds a map without flips, the
+///   status is `flips_remain`, and `Summary::flips` tells how many flipped elements the last method left. When the polish fails,
+///   the map that it was given is the result, and `Summary::message` says so. Other failures are those of
+///   `Splitting_minimizer::minimize()`; settings of the polish that are out of range are `invalid_option` even if there is no
+///   polish.
 ///
 /// Complexity: see `Splitting_minimizer` and `Map_minimizer`.
 template <int D, typename Traits = Flip_free_map_traits<>>

@@ -35,8 +35,8 @@ namespace Flip_free_maps {
 /// Settings of `tetrahedralize()`. Lengths are relative to the diagonal of the bounding box of the surface.
 struct Tetrahedralization_options
 {
-  /// Upper bound for the circumradii of the tetrahedra, and for the circumradii of the facets on the boundary; from 0.001 to 1. The
-  /// number of tetrahedra grows with the third power of its inverse.
+  /// Upper bound for the circumradii of the tetrahedra, and for the circumradii of the facets on the boundary; from 0.001 to 1.
+  /// The number of tetrahedra grows with the third power of its inverse.
   double cell_size = 0.05;
   /// Upper bound for the distance between the facets on the boundary and the surface; from 1e-5 to 1.
   double facet_distance = 0.005;
@@ -44,8 +44,8 @@ struct Tetrahedralization_options
   double facet_angle = 25;
   /// Upper bound for the ratio of circumradius and shortest edge of the tetrahedra; at least 2.
   double cell_radius_edge_ratio = 3;
-  /// Edges at which the normals turn by more than this angle, in degrees, become edges of the tetrahedra; from 0 to 180, where 180
-  /// leaves all edges free.
+  /// Edges at which the normals turn by more than this angle, in degrees, become edges of the tetrahedra; from 0 to 180, where
+  /// 180 leaves all edges free.
   double feature_angle = 60;
 
   /// Checks the ranges; when a value is off, says which in `*message` (if given) and returns `false`.
@@ -114,15 +114,15 @@ inline void mesh_closed_surface(const Closed_surface& surface, const Tetrahedral
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param surface a closed triangle mesh without self-intersections; the orientation does not matter
-/// \param volume receives the tetrahedra, positively oriented, and the triangles of their boundary, counterclockwise seen from outside;
-///   not changed on failure
+/// \param volume receives the tetrahedra, positively oriented, and the triangles of their boundary, counterclockwise seen from
+///   outside; not changed on failure
 /// \param options sizes
 /// \param message receives a sentence on failure
 /// \param np optional named parameters: `vertex_point_map`, as in `parameterize()`
 ///
 /// \returns `success`, `invalid_option`, `empty_mesh` (also when the tetrahedra are too large for the volume), `not_triangular`,
-///   `non_manifold` (not closed, several sheets at a vertex, or self-intersecting), `degenerate_rest_element`, `non_finite_input` or
-///   `out_of_memory`
+///   `non_manifold` (not closed, several sheets at a vertex, or self-intersecting), `degenerate_rest_element`, `non_finite_input`
+///   or `out_of_memory`
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
 Status tetrahedralize(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetrahedralization_options& options,
                       std::string& message, const NamedParameters& np = parameters::default_values())

@@ -37,11 +37,12 @@ namespace Flip_free_maps {
 /// Settings of `tetrahedralize_with_tetgen()`.
 struct Tetgen_options
 {
-  /// Upper bound for the edge length of a regular tetrahedron as large as the largest one, relative to the diagonal of the bounding box
-  /// of the surface; from 0.001 to 1, where 1 leaves the size free. Tetrahedra at a boundary that is coarser remain larger.
+  /// Upper bound for the edge length of a regular tetrahedron as large as the largest one, relative to the diagonal of the
+  /// bounding box of the surface; from 0.001 to 1, where 1 leaves the size free.
+  /// Tetrahedra at a boundary that is coarser remain larger.
   double cell_size = 0.05;
-  /// Upper bound for the ratio of circumradius and shortest edge of the tetrahedra in the interior; at least 1.2, or 0 for none: then only
-  /// the size demands additional vertices.
+  /// Upper bound for the ratio of circumradius and shortest edge of the tetrahedra in the interior; at least 1.2, or 0 for none:
+  /// then only the size demands additional vertices.
   double radius_edge_ratio = 1.6;
 
   /// Checks the ranges; when a value is off, says which in `*message` (if given) and returns `false`.
@@ -172,23 +173,24 @@ inline Status tetgen_failure(int code, std::string& message)
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Fills a closed triangle mesh with tetrahedra by TetGen 1.5. The boundary of the result is the given surface: its triangles are those
-/// of the surface, and its vertices come first, in the order of `vertices(surface)`, without those that have no face. TetGen runs in
-/// a process of its own where the operating system has `fork()`, since version 1.5 crashes when it cannot mesh a surface.
-/// Needs the macro `CGAL_FLIP_FREE_MAPS_USE_TETGEN` and the library `tet`.
+/// Fills a closed triangle mesh with tetrahedra by TetGen 1.5. The boundary of the result is the given surface: its triangles are
+/// those of the surface, and its vertices come first, in the order of `vertices(surface)`, without those that have no face.
+/// TetGen runs in a process of its own where the operating system has `fork()`, since version 1.5 crashes when it cannot mesh a
+/// surface. Needs the macro `CGAL_FLIP_FREE_MAPS_USE_TETGEN` and the library `tet`.
 ///
 /// \tparam FaceGraph must be a model of `VertexListGraph` and `FaceListGraph` whose vertex descriptors are `Hashable`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param surface a closed connected triangle mesh without self-intersections; the orientation does not matter
-/// \param volume receives the tetrahedra, all of the same orientation, and the triangles of their boundary; not changed on failure
+/// \param volume receives the tetrahedra, all of the same orientation, and the triangles of their boundary;
+///   not changed on failure
 /// \param options sizes
 /// \param message receives a sentence on failure
 /// \param np optional named parameters: `vertex_point_map`, as in `parameterize()`
 ///
-/// \returns `success`, `invalid_option`, `empty_mesh`, `not_triangular`, `several_components`, `non_manifold` (not closed, several
-///   sheets at a vertex, or self-intersecting), `degenerate_rest_element` (also for what is too small or too close for TetGen),
-///   `non_finite_input` or `out_of_memory`
+/// \returns `success`, `invalid_option`, `empty_mesh`, `not_triangular`, `several_components`, `non_manifold` (not closed,
+///   several sheets at a vertex, or self-intersecting), `degenerate_rest_element` (also for what is too small or too close for
+///   TetGen), `non_finite_input` or `out_of_memory`
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
 Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetgen_options& options,
                                   std::string& message, const NamedParameters& np = parameters::default_values())

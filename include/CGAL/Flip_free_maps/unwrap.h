@@ -44,7 +44,8 @@ enum Edge_is_seam_map_tag { edge_is_seam_map_tag };
 namespace parameters {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Receives the number of each face's chart: a model of `WritablePropertyMap` with face descriptors as keys and integers as values.
+/// Receives the number of each face's chart: a model of `WritablePropertyMap` with face descriptors as keys and integers as
+/// values.
 template <typename FaceChartMap, typename Base = CGAL::parameters::Default_named_parameters>
 auto face_chart_map(const FaceChartMap& map, const Base& base = Base())
 {
@@ -62,9 +63,9 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 } // namespace parameters
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Makes a texture atlas of any triangle mesh, closed or with holes, of any genus and any number of components: cuts it open, flattens the
-/// pieces with as little distortion as possible, and packs them into the unit square. No triangle is flipped, and no two triangles of the atlas
-/// overlap, by exact predicates on the numbers that the caller receives.
+/// Makes a texture atlas of any triangle mesh, closed or with holes, of any genus and any number of components: cuts it open,
+/// flattens the pieces with as little distortion as possible, and packs them into the unit square. No triangle is flipped, and no
+/// two triangles of the atlas overlap, by exact predicates on the numbers that the caller receives.
 ///
 /// \tparam TriangleMesh must be a model of `FaceListGraph` whose vertex descriptors are `Hashable`
 /// \tparam HalfedgeUVMap must be a model of `WritablePropertyMap` with halfedge descriptors as keys and planar points as values
@@ -72,8 +73,8 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a triangle mesh; it is not changed
-/// \param uv_map receives the image of `target(h, mesh)` in the triangle `face(h, mesh)` for each halfedge `h` that is not on the border. It is
-///   written once, at the end, if the atlas is valid, and left untouched otherwise. Triangles are counterclockwise.
+/// \param uv_map receives the image of `target(h, mesh)` in the triangle `face(h, mesh)` for each halfedge `h` that is not on the
+///   border. It is written once, at the end, if the atlas is valid, and left untouched otherwise. Triangles are counterclockwise.
 /// \param options where to cut, when to split, how to pack, when to stop
 /// \param traits the method and its settings, for each chart, see `Flip_free_map_traits`
 /// \param np optional named parameters
@@ -100,20 +101,22 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 ///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{Flip_free_maps::parameters::edge_is_seam_map}
-///     \cgalParamDescription{receives whether an edge is a seam: whether its two triangles give different images to it. `false` on the border}
+///     \cgalParamDescription{receives whether an edge is a seam: whether its two triangles give different images to it.
+///     `false` on the border}
 ///     \cgalParamType{a model of `WritablePropertyMap` with edge descriptors as keys and `bool` as values}
 ///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Pieces are cut by `cut_to_disk()` and flattened as by `parameterize()`. A piece that overlaps itself, which a map without flips may do at its
-/// borders, is split between two places of the border that cross, and the parts are flattened anew; so is one whose distortion exceeds
-/// `Unwrap_options::max_distortion`. Both come to an end, since a single triangle does neither. When the time is up, or the observer has asked to
-/// stop, parts keep the map that the whole had, which is valid, too.
+/// Pieces are cut by `cut_to_disk()` and flattened as by `parameterize()`. A piece that overlaps itself, which a map without
+/// flips may do at its borders, is split between two places of the border that cross, and the parts are flattened anew; so is one
+/// whose distortion exceeds `Unwrap_options::max_distortion`. Both come to an end, since a single triangle does neither. When the
+/// time is up, or the observer has asked to stop, parts keep the map that the whole had, which is valid, too.
 ///
-/// \returns how it ended and what each chart is like; `Unwrap_summary::is_valid()` tells whether the maps were written. Bad input gives a status
-///   and a message, not an exception: `empty_mesh`, `not_triangular`, `non_manifold`, `degenerate_rest_element`, `non_finite_input`,
-///   `invalid_option`, `start_not_flip_free`, `linear_solver_failed`, `line_search_failed`, `result_not_representable`, `out_of_memory`.
+/// \returns how it ended and what each chart is like; `Unwrap_summary::is_valid()` tells whether the maps were written. Bad input
+///   gives a status and a message, not an exception: `empty_mesh`, `not_triangular`, `non_manifold`, `degenerate_rest_element`,
+///   `non_finite_input`, `invalid_option`, `start_not_flip_free`, `linear_solver_failed`, `line_search_failed`,
+///   `result_not_representable`, `out_of_memory`.
 ///
 /// Complexity: that of `cut_to_disk()` and of `parameterize()`, for each time that a piece is flattened, and of `is_bijective()`.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Traits,
@@ -222,11 +225,13 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
 }
 
 /// \ingroup PkgFlipFreeMapsIO
-/// Gathers a triangle mesh and a map of its corners, as `unwrap()` writes it, for files: `write_textured_OBJ(path, textured_atlas(mesh, uv_map))`.
-/// Corners with the same vertex and the same image share their texture coordinates. Points are numbered in the order of the vertices of
-/// `mesh`, isolated ones included, and triangles in the order of its faces.
+/// Gathers a triangle mesh and a map of its corners, as `unwrap()` writes it, for files:
+/// `write_textured_OBJ(path, textured_atlas(mesh, uv_map))`. Corners with the same vertex and the same image share their texture
+/// coordinates. Points are numbered in the order of the vertices of `mesh`, isolated ones included,
+/// and triangles in the order of its faces.
 ///
-/// \tparam TriangleMesh must be a model of `FaceListGraph` and `VertexListGraph`, of triangles, whose vertex descriptors are `Hashable`
+/// \tparam TriangleMesh must be a model of `FaceListGraph` and `VertexListGraph`, of triangles,
+///   whose vertex descriptors are `Hashable`
 /// \tparam HalfedgeUVMap must be a model of `ReadablePropertyMap` with halfedge descriptors as keys and planar points as values
 ///
 /// \param mesh a triangle mesh

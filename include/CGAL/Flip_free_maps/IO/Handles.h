@@ -51,8 +51,8 @@ struct Handles
 
 namespace internal {
 
-// Answers which of the points is nearest to a place, the first one of those at the same distance. Points are sorted along the first
-// axis, and a search goes from the place to both sides until that axis alone is too far.
+// Answers which of the points is nearest to a place, the first one of those at the same distance. Points are sorted along the
+// first axis, and a search goes from the place to both sides until that axis alone is too far.
 template <int D>
 class Nearest_point
 {
@@ -210,8 +210,8 @@ private:
   \param handles receives the handles, in the order of the lines; they are not changed if the file cannot be read
   \param message if not null, receives the reason of a failure with the number of the line, and the empty string on success
 
-  \returns `false` if the file cannot be opened or has no handle, if a line is not of one of the forms, an index is out of range, or
-           two lines mean the same vertex
+  \returns `false` if the file cannot be opened or has no handle, if a line is not of one of the forms,
+           an index is out of range, or two lines mean the same vertex
 */
 template <int D>
 bool read_handles(const std::string& path, const Positions<D>& points, Handles<D>& handles, std::string* message = nullptr)

@@ -356,9 +356,10 @@ private:
   \param options settings of the picture
   \param message if not null, receives the reason of a failure, and the empty string on success
 
-  \returns `false` if the views or the options are invalid (no triangle, differing sizes, an index out of range, a coordinate that is
-           not finite), if the file cannot be written, or always, with the message "built without Cairo", unless the macro
-           `CGAL_FLIP_FREE_MAPS_USE_CAIRO` is defined. The cost is linear in the number of triangles and of pixels that they cover.
+  \returns `false` if the views or the options are invalid (no triangle, differing sizes, an index out of range,
+           a coordinate that is not finite), if the file cannot be written, or always, with the message "built without Cairo",
+           unless the macro `CGAL_FLIP_FREE_MAPS_USE_CAIRO` is defined.
+           The cost is linear in the number of triangles and of pixels that they cover.
 */
 inline bool write_surface_PNG(const std::string& path,
                               const std::vector<Surface_view>& views,

@@ -349,8 +349,8 @@ inline bool read_VTU(const std::string& path, Tetrahedral_mesh& mesh, std::strin
   \param cell_data values in the tetrahedra
   \param message if not null, receives the reason of a failure, and the empty string on success
 
-  \returns `true` if the file was written. An invalid mesh, and arrays with an invalid name, of a wrong size or with values that are
-           not finite, are refused before the file is touched.
+  \returns `true` if the file was written. An invalid mesh, and arrays with an invalid name,
+           of a wrong size or with values that are not finite, are refused before the file is touched.
 */
 inline bool write_VTU(const std::string& path,
                       const Tetrahedral_mesh& mesh,

@@ -43,8 +43,8 @@ inline bool fail_by_extension(const std::string& path, std::string* message)
 /*!
   \ingroup PkgFlipFreeMapsIO
 
-  reads a tetrahedral mesh from a file whose extension tells the format: `.mesh` (`read_Medit()`), `.vtu` (`read_VTU()`), `.node` or
-  `.ele` (`read_Tetgen_files()`).
+  reads a tetrahedral mesh from a file whose extension tells the format: `.mesh` (`read_Medit()`), `.vtu` (`read_VTU()`), `.node`
+  or `.ele` (`read_Tetgen_files()`).
 
   \param path name of the file
   \param mesh receives the mesh; it is not changed if the file cannot be read

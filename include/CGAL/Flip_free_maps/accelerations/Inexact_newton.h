@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsAccelerations
-/// The direction of the preconditioner's matrix at the current map, by conjugate gradients which are themselves preconditioned by its last
-/// factorization (Nocedal and Wright 2006, algorithm 7.1). With `On_demand` one factorization then serves many iterations that converge
-/// like those with a factorization each. It is made for high accuracy: far from the optimum `Lbfgs` gains more by a step than
-/// conjugate gradients by one of theirs, at the same cost.
+/// The direction of the preconditioner's matrix at the current map, by conjugate gradients which are themselves preconditioned by
+/// its last factorization (Nocedal and Wright 2006, algorithm 7.1). With `On_demand` one factorization then serves many
+/// iterations that converge like those with a factorization each. It is made for high accuracy: far from the optimum `Lbfgs`
+/// gains more by a step than conjugate gradients by one of theirs, at the same cost.
 ///
 /// Complexity: the assembly of the matrix, and one solve and one product with it for each step of conjugate gradients.
 ///
@@ -34,8 +34,8 @@ public:
   /// `true`: the minimizer assembles the matrix in each iteration.
   bool needs_current_matrix() const { return true; }
 
-  /// Norm of the residual at which conjugate gradients end, relative to that of the gradient, at most; near the optimum it is the ratio of the
-  /// gradient to the first one, so that convergence is superlinear.
+  /// Norm of the residual at which conjugate gradients end, relative to that of the gradient, at most; near the optimum it is the
+  /// ratio of the gradient to the first one, so that convergence is superlinear.
   double largest_residual = 0.1;
   /// The least such residual.
   double smallest_residual = 1e-6;

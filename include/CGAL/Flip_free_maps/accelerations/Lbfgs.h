@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsAccelerations
-/// Limited-memory BFGS (Nocedal and Wright 2006, algorithm 7.4) whose initial inverse Hessian is the preconditioner's last factorization.
-/// With `On_demand` one factorization serves several iterations, each of which then costs one solve.
+/// Limited-memory BFGS (Nocedal and Wright 2006, algorithm 7.4) whose initial inverse Hessian is the preconditioner's last
+/// factorization. With `On_demand` one factorization serves several iterations, each of which then costs one solve.
 ///
 /// \cgalModels{Acceleration}
 class Lbfgs

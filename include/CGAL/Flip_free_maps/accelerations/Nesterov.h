@@ -18,9 +18,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsAccelerations
-/// Nesterov's acceleration as in the accelerated quadratic proxy (Kovalsky, Galun and Lipman 2016): each iteration goes on along the last
-/// step by theta = (1 - sqrt(1/eta)) / (1 + sqrt(1/eta)) before it computes a gradient. With `Laplacian` and `Every_iteration` this is AQP.
-/// The minimizer follows the step only as far as no element flips, and not at all where that would undo the last decrease of the energy.
+/// Nesterov's acceleration as in the accelerated quadratic proxy (Kovalsky, Galun and Lipman 2016): each iteration goes on along
+/// the last step by theta = (1 - sqrt(1/eta)) / (1 + sqrt(1/eta)) before it computes a gradient. With `Laplacian` and
+/// `Every_iteration` this is AQP. The minimizer follows the step only as far as no element flips, and not at all where that would
+/// undo the last decrease of the energy.
 ///
 /// \cgalModels{Acceleration}
 class Nesterov
@@ -38,7 +39,8 @@ public:
   /// Forgets the last step.
   void reset() { m_x.resize(0); }
 
-  /// The displacement by which to go on before the next gradient; `false` if there is none. Also enters `x`, the result of the last step.
+  /// The displacement by which to go on before the next gradient; `false` if there is none. Also enters `x`,
+  /// the result of the last step.
   bool extrapolate(const Eigen::VectorXd& x, Eigen::VectorXd& displacement)
   {
     const bool has_step = m_x.size() == x.size();

@@ -26,8 +26,8 @@ enum class Refactorization
 /// \cgalModels{RefactorizationRule}
 struct Every_iteration
 {
-  /// What to do now, `age` accepted steps after the last factorization. `last_step` is the length of the last step in units of its
-  /// direction, `relative_decrease` that of the energy.
+  /// What to do now, `age` accepted steps after the last factorization. `last_step` is the length of the last step in units of
+  /// its direction, `relative_decrease` that of the energy.
   Refactorization operator()(int /* age */, double /* last_step */, double /* relative_decrease */) const
   {
     return Refactorization::refresh;
@@ -35,8 +35,8 @@ struct Every_iteration
 };
 
 /// \ingroup PkgFlipFreeMapsAccelerations
-/// Keeps a factorization for several steps once the map is near the optimum: not after a step that was throttled, nor after one that
-/// decreased the energy much, since the map then differs too much from the one that was factorized.
+/// Keeps a factorization for several steps once the map is near the optimum: not after a step that was throttled, nor after one
+/// that decreased the energy much, since the map then differs too much from the one that was factorized.
 ///
 /// \cgalModels{RefactorizationRule}
 struct On_demand

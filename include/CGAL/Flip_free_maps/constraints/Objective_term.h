@@ -26,8 +26,8 @@ public:
   /// Enters into `matrix`, in which vertex v has the block of rows number `rows[v]`, none if that is negative.
   Term_matrix(Block_sparse_matrix& matrix, const std::vector<std::int32_t>& rows) : m_matrix(matrix), m_rows(rows) {}
 
-  /// Adds `block(i, j)` to row i of vertex v and column j of vertex w, and, if v and w differ, its transpose to the mirrored block. The
-  /// two must be of one stencil of the term.
+  /// Adds `block(i, j)` to row i of vertex v and column j of vertex w, and, if v and w differ, its transpose to the mirrored
+  /// block. The two must be of one stencil of the term.
   void add(std::int32_t v, std::int32_t w, const internal::Matrix<D>& block)
   {
     const std::int32_t r = m_rows[v], c = m_rows[w];
@@ -41,8 +41,8 @@ private:
 };
 
 /// \ingroup PkgFlipFreeMapsConstraints
-/// A term that is minimised along with the mean energy of the elements: the base class of soft constraints. A term is a function of
-/// the positions of the vertices, in the domain's units.
+/// A term that is minimised along with the mean energy of the elements: the base class of soft constraints. A term is a function
+/// of the positions of the vertices, in the domain's units.
 template <int D>
 class Objective_term
 {
@@ -58,7 +58,8 @@ public:
   /// Its value.
   virtual double value(const Positions<D>& x) const = 0;
 
-  /// Adds its gradient to `gradient` and, unless `matrix` is null, a positive semidefinite approximation of its Hessian to `*matrix`.
+  /// Adds its gradient to `gradient` and, unless `matrix` is null,
+  /// a positive semidefinite approximation of its Hessian to `*matrix`.
   virtual void add_derivatives(const Positions<D>& x, Positions<D>& gradient, Term_matrix<D>* matrix) const = 0;
 };
 

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsConstraints
-/// Pulls one vertex towards a place: adds `weight` |x_v - target|^2 to the mean energy. Lengths are in the domain's units, in which
-/// the total measure is 1, so a weight means the same on every mesh.
+/// Pulls one vertex towards a place: adds `weight` |x_v - target|^2 to the mean energy. Lengths are in the domain's units, in
+/// which the total measure is 1, so a weight means the same on every mesh.
 template <int D>
 struct Soft_position
 {

@@ -30,8 +30,8 @@ struct Weight_schedule
 };
 
 /// \ingroup PkgFlipFreeMapsConstraints
-/// Raises the weights of soft positions until they are met within a tolerance, as Shtengel et al. 2017 and Liu et al. 2018 do: the map
-/// is optimised with the given weights, then again from there with greater ones, and so on.
+/// Raises the weights of soft positions until they are met within a tolerance, as Shtengel et al. 2017 and Liu et al. 2018 do:
+/// the map is optimised with the given weights, then again from there with greater ones, and so on.
 ///
 /// \param domain the rest shape
 /// \param x the start; on return the result when the summary `is_valid()`, otherwise unchanged
@@ -39,8 +39,8 @@ struct Weight_schedule
 /// \param residual receives the largest distance of a vertex from its target, in the domain's units
 /// \param traits the method and its settings, for each run
 /// \param schedule how weights are raised
-/// \returns the account of all runs together. When the tolerance was not reached the status is `unreachable_constraints` and `x` unchanged;
-///   `residual` then tells how near the last map came. It is `invalid_option` for a schedule that leads nowhere.
+/// \returns the account of all runs together. When the tolerance was not reached the status is `unreachable_constraints` and `x`
+///   unchanged; `residual` then tells how near the last map came. It is `invalid_option` for a schedule that leads nowhere.
 template <int D, typename Traits = Flip_free_map_traits<>>
 Summary meet_soft_positions(const Simplicial_domain<D>& domain, Positions<D>& x, const Position_constraints<D>& constraints,
                             double& residual, const Traits& traits = Traits(), const Weight_schedule& schedule = Weight_schedule())

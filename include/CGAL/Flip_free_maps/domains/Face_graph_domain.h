@@ -60,8 +60,8 @@ struct Is_planar_point<std::array<T, N>> : std::bool_constant<N == 2> {};
 
 /// \ingroup PkgFlipFreeMapsDomains
 /// The connected component of a triangle mesh that a border halfedge belongs to, as flat arrays, with the way back to the mesh'
-/// vertices. Vertices are numbered in the order in which a walk over the faces meets them, so neither gaps in the mesh' indices nor
-/// other components matter. Triangles are laid isometrically in the plane.
+/// vertices. Vertices are numbered in the order in which a walk over the faces meets them, so neither gaps in the mesh' indices
+/// nor other components matter. Triangles are laid isometrically in the plane.
 ///
 /// \tparam TriangleMesh must be a model of `FaceListGraph` whose vertex and face descriptors are `Hashable`
 template <typename TriangleMesh>
@@ -79,9 +79,11 @@ public:
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   /// @}
 
-  /// Reads the component of `border_halfedge`, which must be a topological disk, or a disk with holes. The halfedge is on the outer border.
+  /// Reads the component of `border_halfedge`, which must be a topological disk, or a disk with holes.
+  /// The halfedge is on the outer border.
   ///
-  /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and points in space as values
+  /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and points in space as
+  ///   values
   /// \returns `Status::success`, or one of `empty_mesh`, `not_triangular`, `no_border`, `not_a_disk`, `non_manifold`,
   ///   `degenerate_rest_element` and `non_finite_input` with a sentence in `message`
   ///
@@ -113,8 +115,8 @@ public:
 
   /// Reads a planar mesh, all of it, which must be connected, and may have any number of borders.
   ///
-  /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and points in the plane, or points in
-  ///   space with the same third coordinate, as values
+  /// \tparam VertexPointMap must be a model of `ReadablePropertyMap` with vertex descriptors as keys and points in the plane, or
+  ///   points in space with the same third coordinate, as values
   /// \param mesh a triangle mesh, counterclockwise in the plane
   /// \param vertex_points its points
   /// \param x receives the positions of the vertices, in the domain's units
@@ -162,8 +164,8 @@ public:
     return Status::success;
   }
 
-  /// Multiplies the measures of the elements by weights and scales them to sum 1 again. `false`, and nothing changes, unless all weights are
-  /// positive and finite.
+  /// Multiplies the measures of the elements by weights and scales them to sum 1 again. `false`, and nothing changes, unless all
+  /// weights are positive and finite.
   template <typename FaceWeightMap>
   bool weigh(const FaceWeightMap& weights)
   {
@@ -296,8 +298,8 @@ private:
     return Status::not_a_disk;
   }
 
-  // The vertices of the border that a halfedge is on, in the order of the faces' edges there: backwards along the border halfedges. `false`
-  // if one of them was met before, on this border or another.
+  // The vertices of the border that a halfedge is on, in the order of the faces' edges there: backwards along the border
+  // halfedges. `false` if one of them was met before, on this border or another.
   bool walk_border(const TriangleMesh& mesh, halfedge_descriptor border_halfedge, std::vector<char>& on_border,
                    std::vector<std::int32_t>& border) const
   {

@@ -43,9 +43,9 @@ public:
   /// \param complex the complex
   /// \param subdomain the index that the cells have
   /// \param message receives a sentence on failure
-  /// \returns `success`, `empty_mesh`, `non_finite_input`, `degenerate_rest_element` (the message counts the cells in the order of
-  ///   the complex) or `several_components`. With `several_components` the domain is complete nevertheless, for uses that hold every
-  ///   component.
+  /// \returns `success`, `empty_mesh`, `non_finite_input`, `degenerate_rest_element` (the message counts the cells in the order
+  ///   of the complex) or `several_components`. With `several_components` the domain is complete nevertheless, for uses that hold
+  ///   every component.
   ///
   /// Complexity: linear in the size of the triangulation, on average.
   Status load(const Mesh_complex& complex, const Subdomain_index& subdomain, std::string& message)

@@ -43,26 +43,27 @@ struct Simplicial_domain
 
   /// Vertices of all elements, numbers 0 to `number_of_vertices` - 1.
   std::vector<Element> elements;
-  /// Inverses of the D x D rest edge matrices: column k of an edge matrix is the rest position of vertex k+1 minus that of vertex 0.
+  /// Inverses of the D x D rest edge matrices:
+  /// column k of an edge matrix is the rest position of vertex k+1 minus that of vertex 0.
   std::vector<internal::Matrix<D>> rest_inverses;
   /// Rest measures (areas, volumes), with sum 1.
   std::vector<double> measures;
   /// Number of vertices.
   std::int32_t number_of_vertices = 0;
-  /// For a surface in space: the rest positions of its vertices, in this domain's units. Needed by starts that simplify the surface;
-  /// may be empty.
+  /// For a surface in space: the rest positions of its vertices, in this domain's units. Needed by starts that simplify the
+  /// surface; may be empty.
   Positions<3> rest_points;
   /// User's unit of length over this domain's unit of length.
   double scale = 1;
-  /// For shapes that lie where their maps do: the user's coordinates of this domain's origin. User's coordinates are `origin` plus
-  /// `scale` times this domain's.
+  /// For shapes that lie where their maps do: the user's coordinates of this domain's origin. User's coordinates are `origin`
+  /// plus `scale` times this domain's.
   internal::Vector<D> origin = internal::Vector<D>::Zero();
   /// For a disk, with holes or without: its border vertices, counterclockwise as seen from the elements. Otherwise empty.
   std::vector<std::int32_t> border;
   /// Rest lengths of the border edges; edge i goes from `border[i]` to the next.
   std::vector<double> border_lengths;
-  /// For a disk with holes: the vertices around each, in the order of the elements' edges there, that is, clockwise around the hole in a
-  /// map. `border` is the outer one then.
+  /// For a disk with holes: the vertices around each, in the order of the elements' edges there, that is, clockwise around the
+  /// hole in a map. `border` is the outer one then.
   std::vector<std::vector<std::int32_t>> holes;
 
   /// Number of elements.

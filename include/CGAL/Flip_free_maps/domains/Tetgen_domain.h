@@ -23,16 +23,16 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsDomains
-/// The tetrahedra of TetGen's `tetgenio`. A vertex is named by its place in `pointlist`, counted from 0 whatever `firstnumber` is.
-/// Needs the macro `CGAL_FLIP_FREE_MAPS_USE_TETGEN` and TetGen 1.5.
+/// The tetrahedra of TetGen's `tetgenio`. A vertex is named by its place in `pointlist`, counted from 0 whatever `firstnumber`
+/// is. Needs the macro `CGAL_FLIP_FREE_MAPS_USE_TETGEN` and TetGen 1.5.
 class Tetgen_domain : public Volume_domain<std::size_t>
 {
 public:
   /// Reads the points and the tetrahedra. Of tetrahedra with ten nodes only the corners are used.
   ///
-  /// \returns `success`, `empty_mesh`, `invalid_option` for an index out of range, `non_finite_input`, `degenerate_rest_element` (zero
-  ///   volume, or inverted with respect to others) or `several_components`. With `several_components` the domain is complete
-  ///   nevertheless, for uses that hold every component.
+  /// \returns `success`, `empty_mesh`, `invalid_option` for an index out of range, `non_finite_input`, `degenerate_rest_element`
+  ///   (zero volume, or inverted with respect to others) or `several_components`. With `several_components` the domain is
+  ///   complete nevertheless, for uses that hold every component.
   ///
   /// Complexity: linear, on average.
   Status load(const tetgenio& mesh, std::string& message)

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsDomains
-/// A tetrahedral mesh given by an array of points and an array of tetrahedra. A vertex is named by its index in the array of points;
-/// when every point belongs to a tetrahedron, its number in the flat arrays is the same.
+/// A tetrahedral mesh given by an array of points and an array of tetrahedra. A vertex is named by its index in the array of
+/// points; when every point belongs to a tetrahedron, its number in the flat arrays is the same.
 class Tetrahedral_domain : public Volume_domain<std::size_t>
 {
 public:

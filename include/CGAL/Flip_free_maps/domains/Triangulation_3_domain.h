@@ -20,11 +20,12 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsDomains
-/// The finite cells of a 3D triangulation, or some of them. A vertex is named by its handle. The triangulation is only read: results
-/// go to a property map keyed by the vertex handles, since moving the points themselves would make the triangulation invalid.
+/// The finite cells of a 3D triangulation, or some of them. A vertex is named by its handle. The triangulation is only read:
+/// results go to a property map keyed by the vertex handles,
+/// since moving the points themselves would make the triangulation invalid.
 ///
-/// \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, `CGAL::Delaunay_triangulation_3` or `CGAL::Regular_triangulation_3`,
-///   or a class derived from one; of weighted points the weights are ignored
+/// \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, `CGAL::Delaunay_triangulation_3` or
+///   `CGAL::Regular_triangulation_3`, or a class derived from one; of weighted points the weights are ignored
 template <typename Triangulation_>
 class Triangulation_3_domain : public Volume_domain<typename Triangulation_::Vertex_handle>
 {
@@ -51,9 +52,9 @@ public:
   /// \param triangulation the triangulation
   /// \param is_selected chooses the cells
   /// \param message receives a sentence on failure
-  /// \returns `success`, `empty_mesh`, `non_finite_input`, `degenerate_rest_element` (a cell of zero volume; the message counts the
-  ///   selected cells from 0 in the order of the triangulation) or `several_components`. With `several_components` the domain is
-  ///   complete nevertheless, for uses that hold every component.
+  /// \returns `success`, `empty_mesh`, `non_finite_input`, `degenerate_rest_element` (a cell of zero volume; the message counts
+  ///   the selected cells from 0 in the order of the triangulation) or `several_components`. With `several_components` the domain
+  ///   is complete nevertheless, for uses that hold every component.
   ///
   /// Complexity: linear, on average.
   template <typename CellPredicate>

@@ -97,8 +97,8 @@ std::int32_t count_components(const std::vector<std::array<std::int32_t, N>>& el
 /// What all domains of tetrahedra share: flat arrays with the way back to the user's vertices. The classes for single mesh types,
 /// such as `Tetrahedral_domain` and `Triangulation_3_domain`, derive from it and fill it.
 ///
-/// Only vertices of tetrahedra become part of the domain; others, and so their positions, are left alone. Lengths in the domain are
-/// such that the total volume is 1, and its origin is the lower corner of the bounding box: a place `p` of the user has the
+/// Only vertices of tetrahedra become part of the domain; others, and so their positions, are left alone. Lengths in the domain
+/// are such that the total volume is 1, and its origin is the lower corner of the bounding box: a place `p` of the user has the
 /// coordinates `to_domain(p)`.
 ///
 /// A mesh in which all tetrahedra are negatively oriented follows the other convention for their vertices. It is accepted, with
@@ -145,8 +145,8 @@ public:
   /// \param x positions in the domain's coordinates, one column per vertex of the flat arrays
   /// \param vertex_points where the positions go, in the user's coordinates
   /// \param message receives a sentence on failure
-  /// \param exact_places vertices (by their numbers in the flat arrays) that go to these places in the user's coordinates, instead of
-  ///   where `x` puts them: the targets of fixed vertices, free of the rounding of the change of units
+  /// \param exact_places vertices (by their numbers in the flat arrays) that go to these places in the user's coordinates,
+  ///   instead of where `x` puts them: the targets of fixed vertices, free of the rounding of the change of units
   /// \returns `success`, or `result_not_representable`
   ///
   /// Complexity: linear.
@@ -206,8 +206,8 @@ protected:
   ///
   /// \param point function from `Vertex` to its rest position, an `Eigen::Vector3d`
   /// \param message receives a sentence on failure
-  /// \returns `success`, `empty_mesh`, `non_finite_input`, `degenerate_rest_element`, `several_components` or `out_of_memory`. With
-  ///   `several_components` the domain is complete nevertheless, for uses that hold every component.
+  /// \returns `success`, `empty_mesh`, `non_finite_input`, `degenerate_rest_element`, `several_components` or `out_of_memory`.
+  ///   With `several_components` the domain is complete nevertheless, for uses that hold every component.
   template <typename PointOfVertex>
   Status finish(PointOfVertex&& point, std::string& message)
   {

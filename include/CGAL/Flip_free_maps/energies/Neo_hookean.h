@@ -84,9 +84,9 @@ struct Neo_hookean
   template <int D>
   static constexpr bool has_composite_form = D == 2;
 
-  /// What `Composite_majorization` takes: psi = h(u, v) with the Frobenius norm u and the determinant v of J, and the convex function
-  /// h(u, v) = mu/2 (u^2 / v - 2) + kappa/2 (v - 1)^2 (Shtengel et al. 2017, section 4). u is convex, and v is the difference of the
-  /// convex functions |alpha|^2 and |beta|^2, where s = |alpha| +- |beta|. Always true.
+  /// What `Composite_majorization` takes: psi = h(u, v) with the Frobenius norm u and the determinant v of J, and the convex
+  /// function h(u, v) = mu/2 (u^2 / v - 2) + kappa/2 (v - 1)^2 (Shtengel et al. 2017, section 4). u is convex, and v is the
+  /// difference of the convex functions |alpha|^2 and |beta|^2, where s = |alpha| +- |beta|. Always true.
   template <int D>
   bool composite_form(const Element_state<D>& state, Increment_form<D>& form) const
   {

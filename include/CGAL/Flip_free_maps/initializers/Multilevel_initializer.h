@@ -33,14 +33,14 @@ namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsInitializers
 /// A start that is close to the optimum already: the surface is simplified by edge collapses, its simplest form embedded and
-/// optimised, and the vertices are put back in the reverse order, each in the kernel of its neighbours' ring where its own triangles'
-/// energy is least. The map is optimised again each time the number of triangles has grown by a factor. Large deformations are thus
-/// found on few triangles, and every vertex is placed at a size that double precision handles, so that long thin tubes, on which
-/// Tutte embeddings collapse, are no obstacle.
+/// optimised, and the vertices are put back in the reverse order, each in the kernel of its neighbours' ring where its own
+/// triangles' energy is least. The map is optimised again each time the number of triangles has grown by a factor. Large
+/// deformations are thus found on few triangles, and every vertex is placed at a size that double precision handles, so that long
+/// thin tubes, on which Tutte embeddings collapse, are no obstacle.
 ///
-/// On a very long closed tube with one open end each ring lies around the next. Simplified to rings of three vertices it becomes a pile of
-/// triangles, which hundreds of rings of more vertices do not leave any more. Where a map in polar coordinates promises a lower energy than
-/// a simplified surface has, it is the start.
+/// On a very long closed tube with one open end each ring lies around the next. Simplified to rings of three vertices it becomes
+/// a pile of triangles, which hundreds of rings of more vertices do not leave any more. Where a map in polar coordinates promises
+/// a lower energy than a simplified surface has, it is the start.
 ///
 /// \tparam Traits must be a model of `MapTraits`, whose minimizer optimises the levels
 ///
@@ -108,8 +108,8 @@ public:
     name = "multilevel (" + std::to_string(coarsest) + " faces by " + start_name;
     const std::size_t passes = disk.number_of_passes();
     int levels = 1;
-    // On long thin tubes the sizes of triangles differ by many orders of magnitude until distances along the tube are right; the vertices are
-    // moved into place one by one before all together, and more often.
+    // On long thin tubes the sizes of triangles differ by many orders of magnitude until distances along the tube are right; the
+    // vertices are moved into place one by one before all together, and more often.
     const double level_ratio = is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
     // Levels are spread evenly up to the surface itself: the last ones cost most, and a gap behind them costs more.
     const double growth = std::log(static_cast<double>(domain.number_of_elements()) / coarsest);
@@ -189,8 +189,8 @@ private:
     return Status::success;
   }
 
-  // Puts the vertices of one pass back. They are not adjacent, so each is placed by itself. Those whose ring has no kernel in double
-  // precision wait until their neighbours have moved.
+  // Puts the vertices of one pass back. They are not adjacent, so each is placed by itself. Those whose ring has no kernel in
+  // double precision wait until their neighbours have moved.
   bool put_back(internal::Progressive_disk& disk, Positions<2>& x, std::string& message) const
   {
     std::vector<std::int32_t> pass = disk.take_pass(), targets, waiting;
@@ -230,8 +230,8 @@ private:
   static constexpr int NEWTON_STEPS = 4; // for a vertex that is put back; most need one
   static constexpr double NEAR_LEVEL = 0.88; // since passes multiply the number of triangles by about 1.3
   static constexpr int SWEEPS = 2; // over all vertices of a thin surface, after each pass
-  // Before a level is optimised, and at the end, the vertices of distorted triangles are relaxed one by one. That costs little and spares the
-  // optimisation the triangles that would hold it up.
+  // Before a level is optimised, and at the end, the vertices of distorted triangles are relaxed one by one. That costs little
+  // and spares the optimisation the triangles that would hold it up.
   static constexpr double LARGEST_DISTORTION = 1.5;
   static constexpr int DISTORTED_SWEEPS = 2;
 

@@ -46,8 +46,8 @@ inline const char* border_name(Border_shape border)
 
 /// \ingroup PkgFlipFreeMapsInitializers
 /// The embedding of a disk with its border on a convex curve and every other vertex at a weighted mean of its neighbours
-/// (Tutte 1963, Floater 2003), certified by exact predicates. Holes are closed for it by triangles that lie nowhere in space, and open
-/// again in the result. In exact arithmetic positive weights leave no element flipped; in double
+/// (Tutte 1963, Floater 2003), certified by exact predicates. Holes are closed for it by triangles that lie nowhere in space, and
+/// open again in the result. In exact arithmetic positive weights leave no element flipped; in double
 /// precision long thin tubes shrink below the spacing of the numbers, and other weights are tried then.
 ///
 /// \tparam Kernel must be a CGAL kernel with exact orientation predicates and number type `double`
@@ -200,7 +200,8 @@ private:
     }
   }
 
-  // Weights of the three corners of an element: entry (i, j) is the part of the weight of edge i -> j, i != j, that comes from it.
+  // Weights of the three corners of an element: entry (i, j) is the part of the weight of edge i -> j, i != j,
+  // that comes from it.
   static Eigen::Matrix3d corner_weights(const Simplicial_domain<2>& domain, std::int64_t e, Tutte_weights kind)
   {
     Eigen::Matrix3d w = Eigen::Matrix3d::Zero();
@@ -314,8 +315,8 @@ private:
       x.row(0) *= -1;
   }
 
-  // The optimum of a border vertex of a single triangle for isometric distortions, with the opposite edge as it is. Returns whether
-  // there is such a vertex.
+  // The optimum of a border vertex of a single triangle for isometric distortions, with the opposite edge as it is. Returns
+  // whether there is such a vertex.
   static bool place_flaps(const Simplicial_domain<2>& domain, Positions<2>& x)
   {
     std::vector<std::int32_t> degree(domain.number_of_vertices, 0);

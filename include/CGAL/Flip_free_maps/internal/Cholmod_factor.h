@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-  // CHOLMOD starts threads of OpenMP for small loops inside a factorization, and OpenBLAS threads of its own for small products: on
-  // large meshes, waiting for them costs more than they bring, and sums of BLAS would depend on their number. Both libraries are
-  // looked up at run time, because which ones serve CHOLMOD is only known then.
+  // CHOLMOD starts threads of OpenMP for small loops inside a factorization, and OpenBLAS threads of its own for small products:
+  // on large meshes, waiting for them costs more than they bring, and sums of BLAS would depend on their number. Both libraries
+  // are looked up at run time, because which ones serve CHOLMOD is only known then.
   class Single_thread
 {
 public:
@@ -181,8 +181,8 @@ public:
     m_is_factorized = false;
   }
 
-  // One of CHOLMOD's orderings on a graph, and what it costs. The scalar pattern of the graph is only a means to this end; building
-  // supernodes for it would be wasted.
+  // One of CHOLMOD's orderings on a graph, and what it costs. The scalar pattern of the graph is only a means to this end;
+  // building supernodes for it would be wasted.
   bool order(cholmod_sparse graph, int ordering)
   {
     m_common.supernodal = CHOLMOD_SIMPLICIAL;
@@ -236,8 +236,8 @@ public:
     return true;
   }
 
-  // Solves with L, in place and in the permuted order. CHOLMOD's own solution calls the BLAS for every supernode; most are so small that the
-  // calls take longer than the arithmetic.
+  // Solves with L, in place and in the permuted order. CHOLMOD's own solution calls the BLAS for every supernode; most are so
+  // small that the calls take longer than the arithmetic.
   bool solve_lower(Eigen::VectorXd& x)
   {
     if(!m_is_factorized || !m_factor->is_super)

@@ -22,8 +22,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Two sets of vertices that are not adjacent, each in the order of its elimination, and the separator between them, which is eliminated
-// last. They are unions of subtrees of the elimination tree (Liu 1990), so the order of a whole factorization is kept in each part.
+// Two sets of vertices that are not adjacent, each in the order of its elimination, and the separator between them, which is
+// eliminated last. They are unions of subtrees of the elimination tree (Liu 1990),
+// so the order of a whole factorization is kept in each part.
 class Elimination_split
 {
 public:

@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Handles that share elements are a group, and turn together: on straight lines a group that turns by half a turn would shrink to a point on
-// its way.
+// Handles that share elements are a group, and turn together: on straight lines a group that turns by half a turn would shrink to
+// a point on its way.
 template <int D>
 class Handle_groups
 {
@@ -70,8 +70,8 @@ public:
         x.col(v) = targets.col(v);
   }
 
-  // Where the handles turn by much as a whole: the shape `x`, turned with them. Isometries cost nothing, and on the ways of the groups
-  // they might have to pass through each other. `false` if that leaves much to turn for one of the groups.
+  // Where the handles turn by much as a whole: the shape `x`, turned with them. Isometries cost nothing, and on the ways of the
+  // groups they might have to pass through each other. `false` if that leaves much to turn for one of the groups.
   bool carry(const Positions<D>& x, const Positions<D>& targets, Positions<D>& carried) const
   {
     const Motion whole = motion(all(), x, targets);
@@ -84,8 +84,8 @@ public:
     return true;
   }
 
-  // The displacement of the handles from `x` to their targets (`is_last`) or, if a group is to turn by much, to places on the way. `false`
-  // if a target is not finite.
+  // The displacement of the handles from `x` to their targets (`is_last`) or, if a group is to turn by much, to places on the
+  // way. `false` if a target is not finite.
   bool next_displacement(const Positions<D>& x, const Positions<D>& targets, Positions<D>& displacement, bool& is_last) const
   {
     std::vector<Motion> motions;

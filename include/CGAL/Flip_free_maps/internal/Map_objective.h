@@ -35,8 +35,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The mean energy of a map and the terms beside it, with their gradient and the preconditioner's matrix: the one place where elements
-// are visited. Vectors of unknowns hold the coordinates of the vertices that are not fixed, in their order.
+// The mean energy of a map and the terms beside it, with their gradient and the preconditioner's matrix: the one place where
+// elements are visited. Vectors of unknowns hold the coordinates of the vertices that are not fixed, in their order.
 template <int D, typename Traits>
 class Map_objective
 {
@@ -221,8 +221,8 @@ public:
     gradient += unknowns;
   }
 
-  // The product of the preconditioner's matrix on all vertices, fixed or not, with a displacement of all vertices: its rows of unknowns.
-  // No matrix is formed. Terms do not enter.
+  // The product of the preconditioner's matrix on all vertices, fixed or not, with a displacement of all vertices: its rows of
+  // unknowns. No matrix is formed. Terms do not enter.
   void multiply(const Reference& reference, const Positions<D>& x, const Positions<D>& displacement, Eigen::VectorXd& product) const
   {
     product.setZero(D * std::int64_t(m_number_of_unknowns));
@@ -236,8 +236,8 @@ public:
     });
   }
 
-  // The elements that were deformed or turned most between two maps, by more than `bound`, at most `number` of them and in ascending order:
-  // by the Frobenius norm of F - I, where F maps an element's image at `old` to that at x.
+  // The elements that were deformed or turned most between two maps, by more than `bound`, at most `number` of them and in
+  // ascending order: by the Frobenius norm of F - I, where F maps an element's image at `old` to that at x.
   std::vector<std::int64_t> most_deformed_elements(const Positions<D>& old, const Positions<D>& x, double bound, std::int64_t number) const
   {
     const auto squared_deformation = [&](std::int64_t e) {
@@ -278,8 +278,9 @@ public:
     });
   }
 
-  // Moves the vertices of the elements that would collapse within `bound` along the direction, each to the optimum of the elements around
-  // it: such elements hold up the whole map, and need a place of their own first. `is_positive(e, x)` has the last word on each move.
+  // Moves the vertices of the elements that would collapse within `bound` along the direction, each to the optimum of the
+  // elements around it: such elements hold up the whole map, and need a place of their own first.
+  // `is_positive(e, x)` has the last word on each move.
   template <typename IsPositive>
   void free_blocked_vertices(const Reference& reference, const Positions<D>& direction, double bound, IsPositive&& is_positive,
                              Positions<D>& x)
@@ -403,8 +404,8 @@ private:
         m_stars[next[v]++] = static_cast<std::int32_t>(e);
   }
 
-  // weight * (B^T H B) of one element, with B the map from its vertices' displacements to dJ. Rows sum to zero, so the blocks of vertex 0
-  // follow from the others.
+  // weight * (B^T H B) of one element, with B the map from its vertices' displacements to dJ. Rows sum to zero, so the blocks of
+  // vertex 0 follow from the others.
   Element_blocks form_blocks(double weight, const Matrix<D>& U, const Matrix<D>& hats, const Increment_form<D>& form) const
   {
     Element_blocks blocks;

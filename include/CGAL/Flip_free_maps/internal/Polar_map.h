@@ -29,17 +29,19 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// A map of a disk in polar coordinates around its innermost vertex, the pole, for long closed tubes with one open end. A harmonic map of
-// the whole tube shrinks it exponentially, beyond what double precision holds. Here only the coordinates are harmonic: Green's function of the
-// pole, which is linear along a tube, and the angle around the pole, whose increments along edges are single-valued but for a cut of
-// triangles from the pole to the border. The radius is the function of the former for which the symmetric Dirichlet energy is least.
+// A map of a disk in polar coordinates around its innermost vertex, the pole, for long closed tubes with one open end. A harmonic
+// map of the whole tube shrinks it exponentially, beyond what double precision holds. Here only the coordinates are harmonic:
+// Green's function of the pole, which is linear along a tube, and the angle around the pole, whose increments along edges are
+// single-valued but for a cut of triangles from the pole to the border. The radius is the function of the former for which the
+// symmetric Dirichlet energy is least.
 class Polar_map
 {
 public:
   // Keeps a reference to the domain.
   explicit Polar_map(const Simplicial_domain<2>& domain) : m_domain(domain) {}
 
-  // Finds the coordinates and the radii; false where there are none. Complexity: two factorizations with an unknown for each vertex.
+  // Finds the coordinates and the radii; false where there are none. Complexity:
+  // two factorizations with an unknown for each vertex.
   template <typename MakeLinearSolver>
   bool build(MakeLinearSolver&& make_linear_solver)
   {
@@ -113,8 +115,8 @@ private:
     return vertex(e, 0) == m_pole || vertex(e, 1) == m_pole || vertex(e, 2) == m_pole;
   }
 
-  // The Laplacian of the vertices whose `is_free` is set, of the triangles that do not touch the pole if there is one. Positive weights make an
-  // embedding likely. Increments by `turn` along edges are moved to the right-hand side.
+  // The Laplacian of the vertices whose `is_free` is set, of the triangles that do not touch the pole if there is one. Positive
+  // weights make an embedding likely. Increments by `turn` along edges are moved to the right-hand side.
   template <typename LinearSolver>
   bool factorize(const std::vector<char>& is_free, LinearSolver& solver, Eigen::VectorXd& right)
   {
@@ -165,7 +167,8 @@ private:
         result[v] = values[m_unknown[v]];
   }
 
-  // The pole is where a particle that moves at random takes longest to reach the border. The depth is 0 there and 1 on the border.
+  // The pole is where a particle that moves at random takes longest to reach the border.
+  // The depth is 0 there and 1 on the border.
   template <typename MakeLinearSolver>
   bool find_depth(MakeLinearSolver&& make_linear_solver)
   {
@@ -261,8 +264,8 @@ private:
         continue;
       const Vector<3> turns(turn(3 * e), turn(3 * e + 1), turn(3 * e + 2));
       m_profile.add_tangential(depth.mean(), weight, (gradients * Vector<2>(turns[0], -turns[2])).squaredNorm());
-      // A side that spans the angle t lies inside its circle by up to r t^2 / 8, and flat triangles would be flipped where radii grow less.
-      // To third order the doubled area is r^2 (growth * area in coordinates - product of the turns / 2).
+      // A side that spans the angle t lies inside its circle by up to r t^2 / 8, and flat triangles would be flipped where radii
+      // grow less. To third order the doubled area is r^2 (growth * area in coordinates - product of the turns / 2).
       const double area = (depth[1] - depth[0]) * -turns[2] - (depth[2] - depth[0]) * turns[0];
       if(area > 0)
         m_profile.add_growth(depth.minCoeff(), depth.maxCoeff(), 0.5 * turns.prod() / area);

@@ -27,9 +27,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The global step of the splitting: the increment d of the positions with the least sum_e mu_e / 2 |(G d)_e - T_e|^2 plus the soft
-// positions' terms, under the constraints. The same matrix serves all coordinates, so it has a row for each vertex that is not fixed.
-// Solving for the increment instead of the positions keeps fixed vertices exactly where they are.
+// The global step of the splitting: the increment d of the positions with the least sum_e mu_e / 2 |(G d)_e - T_e|^2 plus the
+// soft positions' terms, under the constraints. The same matrix serves all coordinates, so it has a row for each vertex that is
+// not fixed. Solving for the increment instead of the positions keeps fixed vertices exactly where they are.
 template <int D, typename Traits>
 class Position_solver
 {
@@ -165,7 +165,8 @@ private:
   }
 
   // The Schur complement of the constraints, with the translations t of floating components as further unknowns: for an increment
-  // d + Z t, where d vanishes at the pins, the multipliers l and t solve [A K^-1 A^T, -A Z; -(A Z)^T, 0] (l, t) = (A K^-1 f - c, -Z^T f).
+  // d + Z t, where d vanishes at the pins, the multipliers l and t solve [A K^-1 A^T, -A Z; -(A Z)^T, 0] (l,
+  // t) = (A K^-1 f - c, -Z^T f).
   template <typename Solver>
   bool factorize_constraints(Solver& solver)
   {

@@ -103,9 +103,10 @@ private:
   std::vector<std::int32_t> m_numbers;
 };
 
-// A disk in space, possibly with holes, that is simplified by half-edge collapses and taken back step by step. Collapses come in passes: the vertices removed
-// in one pass are pairwise not adjacent, so the triangles around one do not contain another, and within a pass they can be put
-// back in any order. Triangles keep their numbers: those that lose an edge sleep, those that lose a vertex get its target instead.
+// A disk in space, possibly with holes, that is simplified by half-edge collapses and taken back step by step. Collapses come in
+// passes: the vertices removed in one pass are pairwise not adjacent, so the triangles around one do not contain another, and
+// within a pass they can be put back in any order. Triangles keep their numbers: those that lose an edge sleep, those that lose a
+// vertex get its target instead.
 class Progressive_disk
 {
 public:
@@ -324,8 +325,8 @@ private:
     m_loop_sizes.push_back(loop.size());
   }
 
-  // One pass. A guess of what the removal of a vertex costs orders them; only those whose turn comes before that of all their neighbours are
-  // judged in detail.
+  // One pass. A guess of what the removal of a vertex costs orders them; only those whose turn comes before that of all their
+  // neighbours are judged in detail.
   template <typename ConcurrencyTag>
   void coarsen_once(std::int64_t wanted, const Limits& limits)
   {
@@ -406,8 +407,8 @@ private:
     });
   }
 
-  // Enters the cheapest collapse of a vertex and about what it costs, by the distances of its neighbours to the planes around it (Garland and
-  // Heckbert 1997).
+  // Enters the cheapest collapse of a vertex and about what it costs, by the distances of its neighbours to the planes around it
+  // (Garland and Heckbert 1997).
   void guess(Collapse& collapse) const
   {
     const std::int32_t v = collapse.v;
@@ -502,8 +503,8 @@ private:
     }
   }
 
-  // How much the surface changes: squared distances of v to the new triangles, weighted by their areas, and a little of the edge's
-  // length so that flat parts thin out evenly. Infinite beyond the limits, and where it is found to exceed `bound`.
+  // How much the surface changes: squared distances of v to the new triangles, weighted by their areas, and a little of the
+  // edge's length so that flat parts thin out evenly. Infinite beyond the limits, and where it is found to exceed `bound`.
   double collapse_cost(std::int32_t v, std::int32_t w, const Limits& limits, const Corners& corners, double bound) const
   {
     const double infinity = std::numeric_limits<double>::infinity();
@@ -534,8 +535,8 @@ private:
     return cost + 1e-3 * length * (area + length);
   }
 
-  // The vertex behind v in a triangle, in the triangle's sense. Of all triangles around v, those are all its neighbours, but for the last one
-  // at the border.
+  // The vertex behind v in a triangle, in the triangle's sense. Of all triangles around v, those are all its neighbours, but for
+  // the last one at the border.
   std::int32_t next_in(std::int32_t t, std::int32_t v) const
   {
     const Triangle& triangle = m_triangles[t];

@@ -19,9 +19,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The radius as a function of the depth, 0 at depth 0, for which a map in polar coordinates has the least symmetric Dirichlet energy. It
-// is linear between knots. With the gradients of depth and angle perpendicular to each other, the singular values of the map are
-// radius' |grad depth| and radius |grad angle|; so the energy is convex in the radii of the knots, with a tridiagonal Hessian.
+// The radius as a function of the depth, 0 at depth 0, for which a map in polar coordinates has the least symmetric Dirichlet
+// energy. It is linear between knots. With the gradients of depth and angle perpendicular to each other, the singular values of
+// the map are radius' |grad depth| and radius |grad angle|; so the energy is convex in the radii of the knots,
+// with a tridiagonal Hessian.
 class Radial_profile
 {
 public:

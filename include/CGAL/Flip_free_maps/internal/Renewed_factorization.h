@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// A factorization of an earlier map's matrix M, renewed where the map has changed since. Near an optimum the parts of a few elements in a
-// thousand change, those of thin elements, and make all others wait: a step is right everywhere but there. Let S be the unknowns of the
-// elements that changed, A the matrix with their parts renewed, and N the other unknowns. S is eliminated exactly, and for N the Schur
-// complement of A is taken to be that of M:
+// A factorization of an earlier map's matrix M, renewed where the map has changed since. Near an optimum the parts of a few
+// elements in a thousand change, those of thin elements, and make all others wait: a step is right everywhere but there. Let S be
+// the unknowns of the elements that changed, A the matrix with their parts renewed, and N the other unknowns. S is eliminated
+// exactly, and for N the Schur complement of A is taken to be that of M:
 //   y_N = (M^-1 r)_N with r_S = 0, r_N = b_N - A_NS A_SS^-1 b_S, and y_S = A_SS^-1 (b_S - A_SN y_N),
 // which is symmetric and positive definite, and costs one solve with M and a factorization of the small matrix A_SS.
 template <int D>
@@ -41,8 +41,8 @@ public:
     m_vertices.clear();
   }
 
-  // Renews the elements that were deformed most between the map that was factorized, `old`, and `x`; none if the small matrix has no
-  // factorization.
+  // Renews the elements that were deformed most between the map that was factorized, `old`, and `x`; none if the small matrix has
+  // no factorization.
   template <typename Objective, typename Reference>
   void renew(const Objective& objective, const Reference& reference, const Positions<D>& old, const Positions<D>& x)
   {
@@ -162,7 +162,8 @@ private:
       part.template segment<D>(D * i) = b.template segment<D>(D * std::int64_t(m_vertices[i]));
   }
 
-  // Deformation from which on an element is renewed: stiffnesses are powers of the singular values, and have changed by half then.
+  // Deformation from which on an element is renewed: stiffnesses are powers of the singular values,
+  // and have changed by half then.
   static constexpr double DEFORMATION = 0.15;
   // Most elements renewed, relative to the number of unknown vertices; more are not worth their factorization.
   static constexpr double LARGEST_PART = 0.02;

@@ -97,8 +97,9 @@ void orthogonalize_columns(Matrix<3>& B, AlsoRotate&& also)
     B.col(p) = c * old - s * B.col(q);
     B.col(q) = s * old + c * B.col(q);
     also(p, q, c, s);
-    // Three rotations as small as this one disturb each other only by products that are below the rounding errors. Small must be both
-    // the cosine between the columns and the angle: the latter is large for columns of equal length, the former for unequal ones.
+    // Three rotations as small as this one disturb each other only by products that are below the rounding errors. Small must be
+    // both the cosine between the columns and the angle: the latter is large for columns of equal length,
+    // the former for unequal ones.
     return g * g > EPSILON * a * b || s * s > EPSILON;
   };
   int good = 0;

@@ -27,9 +27,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Cholesky factorization in two parts that do not need each other, and their separator. With A = [A_1 0 B_1; 0 A_2 B_2; B_1^T B_2^T S]
-// the factors of [A_i B_i; B_i^T S] end with those of the Schur complements S - B_i^T A_i^-1 B_i; these, with one S taken away, add up to
-// the matrix of the separator's unknowns. All is done in the same order by one thread and by two, so results are the same.
+// Cholesky factorization in two parts that do not need each other, and their separator. With A = [A_1 0 B_1; 0 A_2 B_2; B_1^T
+// B_2^T S] the factors of [A_i B_i; B_i^T S] end with those of the Schur complements S - B_i^T A_i^-1 B_i; these, with one S
+// taken away, add up to the matrix of the separator's unknowns. All is done in the same order by one thread and by two,
+// so results are the same.
 class Split_cholesky
 {
 public:

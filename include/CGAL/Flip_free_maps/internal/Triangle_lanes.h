@@ -26,8 +26,8 @@ namespace internal {
 constexpr int NUMBER_OF_LANES = EIGEN_MAX_ALIGN_BYTES >= 64 ? 8 : EIGEN_MAX_ALIGN_BYTES >= 32 ? 4 : 2;
 using Lanes = Eigen::Array<double, NUMBER_OF_LANES, 1>;
 
-// Whether an energy computes several elements at once. A class that inherits from such an energy, and may have another value(), does not.
-// Without a barrier the smaller singular value may vanish, which the formulas below do not bear.
+// Whether an energy computes several elements at once. A class that inherits from such an energy, and may have another value(),
+// does not. Without a barrier the smaller singular value may vanish, which the formulas below do not bear.
 template <typename Energy, typename = void>
 struct Has_lanes : std::false_type {};
 
@@ -35,9 +35,9 @@ template <typename Energy>
 struct Has_lanes<Energy, std::void_t<typename Energy::Vectorized_energy>>
   : std::bool_constant<std::is_same<typename Energy::Vectorized_energy, Energy>::value && Energy::has_barrier> {};
 
-// Consecutive triangles of a planar domain, one in each lane: their Jacobians J = A R, where A holds the edges of the image and R is the
-// inverse of those of the rest shape. With alpha = (J_00 + J_11, J_10 - J_01) and beta = (J_00 - J_11, J_10 + J_01), J is half the sum of a
-// similarity by alpha and a reflected one by beta; so are its derivatives, and no singular vectors are needed.
+// Consecutive triangles of a planar domain, one in each lane: their Jacobians J = A R, where A holds the edges of the image and R
+// is the inverse of those of the rest shape. With alpha = (J_00 + J_11, J_10 - J_01) and beta = (J_00 - J_11, J_10 + J_01), J is
+// half the sum of a similarity by alpha and a reflected one by beta; so are its derivatives, and no singular vectors are needed.
 class Triangle_lanes
 {
 public:
@@ -79,7 +79,8 @@ public:
   {
     std::array<Lanes, 2> gradient;
     energy.template gradients<2, Lanes>(m_s, gradient);
-    // Factors of alpha and beta in the derivative of the energy in J. Where beta vanishes, so does the difference of the derivatives.
+    // Factors of alpha and beta in the derivative of the energy in J. Where beta vanishes,
+    // so does the difference of the derivatives.
     const Lanes p = 0.5 * m_weight * (gradient[0] + gradient[1]) / m_alpha_norm;
     const Lanes q =
       0.5 * m_weight * (gradient[0] - gradient[1]) / m_beta_norm.max((std::numeric_limits<double>::min)());

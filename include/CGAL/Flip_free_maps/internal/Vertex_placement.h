@@ -26,16 +26,16 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Places the vertices of a progressive disk in its planar map: first somewhere in the kernel of the ring of neighbours, then where the
-// energy of the triangles around is least.
+// Places the vertices of a progressive disk in its planar map: first somewhere in the kernel of the ring of neighbours, then
+// where the energy of the triangles around is least.
 template <typename Kernel, typename Energy>
 class Vertex_placement
 {
 public:
   Vertex_placement(const Progressive_disk& disk, const Energy& energy, Positions<2>& x) : m_disk(disk), m_x(x), m_relaxation(energy) {}
 
-  // Puts a vertex where its triangles are positive, and their energy is least after up to `steps` Newton steps; false when exact predicates
-  // find no positive place.
+  // Puts a vertex where its triangles are positive, and their energy is least after up to `steps` Newton steps; false when exact
+  // predicates find no positive place.
   bool place(std::int32_t v, int steps)
   {
     load(v);

@@ -49,8 +49,8 @@ void take_newton_steps(const Relaxation& relaxation, Vector<D>& u, int steps, Is
 }
 
 // Moves one vertex of a map to where the energy of the elements around it is least, by Newton steps that never flip one. When the
-// vertex moves by u, the Jacobian of an element around it changes by u times the gradient of the vertex' hat function, transposed:
-// it is affine in u, and its determinant too.
+// vertex moves by u, the Jacobian of an element around it changes by u times the gradient of the vertex' hat function,
+// transposed: it is affine in u, and its determinant too.
 template <int D, typename Energy>
 class Vertex_relaxation
 {
@@ -76,8 +76,8 @@ public:
     return sum;
   }
 
-  // Takes up to `steps` Newton steps from the displacement `u`, at which all elements are positive. `is_positive(u)` has the last word on
-  // each.
+  // Takes up to `steps` Newton steps from the displacement `u`, at which all elements are positive. `is_positive(u)` has the last
+  // word on each.
   template <typename IsPositive>
   void relax(Vector<D>& u, int steps, IsPositive&& is_positive) const
   {
@@ -135,8 +135,8 @@ private:
   std::vector<Element> m_elements;
 };
 
-// The same for the symmetric Dirichlet energy in the plane, |J|^2 (1 + 1 / det(J)^2) / 4: |J|^2 is a quadratic function of u, and no singular
-// values are needed.
+// The same for the symmetric Dirichlet energy in the plane, |J|^2 (1 + 1 / det(J)^2) / 4: |J|^2 is a quadratic function of u, and
+// no singular values are needed.
 template <>
 class Vertex_relaxation<2, Symmetric_dirichlet>
 {

@@ -27,9 +27,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The sum of |2 pi - angles| over the inner vertices of a disk: 0 for developable surfaces, 4 pi or more for most closed surfaces that were
-// cut open. A hole adds the total curvature of whatever would close it (theorem of Gauss and Bonnet): 0 in a sheet that was flat, 2 pi at
-// the end of a cylinder.
+// The sum of |2 pi - angles| over the inner vertices of a disk: 0 for developable surfaces, 4 pi or more for most closed surfaces
+// that were cut open. A hole adds the total curvature of whatever would close it (theorem of Gauss and Bonnet): 0 in a sheet that
+// was flat, 2 pi at the end of a cylinder.
 inline double total_curvature(const Simplicial_domain<2>& domain)
 {
   std::vector<double> defects = angle_sums(domain);
@@ -71,8 +71,8 @@ struct Is_adaptive : std::false_type {};
 template <typename Traits>
 struct Is_adaptive<Traits, std::void_t<decltype(std::declval<Traits&>().adapt_to_developable_surface())>> : std::true_type {};
 
-// Total curvature, in radians, up to which a surface counts as developable: that of a spherical cap of 18 degrees around its centre is
-// greater.
+// Total curvature, in radians, up to which a surface counts as developable: that of a spherical cap of 18 degrees around its
+// centre is greater.
 constexpr double DEVELOPABLE = 0.3;
 
 // Adapts a default method to the surface.

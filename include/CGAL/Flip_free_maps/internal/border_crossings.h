@@ -44,8 +44,8 @@ struct Border_edge
 class Border_curves
 {
 public:
-  // False when the triangles do not form a surface with a border of disjoint simple curves: an edge has several triangles on one side, or a
-  // border passes through a vertex twice.
+  // False when the triangles do not form a surface with a border of disjoint simple curves: an edge has several triangles on one
+  // side, or a border passes through a vertex twice.
   bool load(const std::vector<std::array<std::int32_t, 3>>& elements, std::int32_t number_of_vertices)
   {
     struct Side
@@ -100,8 +100,8 @@ public:
   // The curves, each as numbers of edges in their order.
   const std::vector<std::vector<std::int32_t>>& curves() const { return m_curves; }
 
-  // Calls f(i, j) for pairs of edges whose images have a point in common that is not the image of a common vertex, until f returns false.
-  // By exact predicates.
+  // Calls f(i, j) for pairs of edges whose images have a point in common that is not the image of a common vertex, until f
+  // returns false. By exact predicates.
   template <typename F>
   void for_each_crossing(const Positions<2>& x, F&& f) const
   {
@@ -123,8 +123,8 @@ public:
     }
   }
 
-  // Whether the curves, which must not cross, bound regions that each lie inside of exactly one of them more than outside: outer borders
-  // counterclockwise, borders of holes clockwise and directly inside an outer one, and so on inwards.
+  // Whether the curves, which must not cross, bound regions that each lie inside of exactly one of them more than outside: outer
+  // borders counterclockwise, borders of holes clockwise and directly inside an outer one, and so on inwards.
   bool are_nested(const Positions<2>& x) const
   {
     std::vector<CGAL::Bbox_2> boxes(m_curves.size());

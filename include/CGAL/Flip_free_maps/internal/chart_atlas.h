@@ -158,7 +158,8 @@ private:
     return true;
   }
 
-  // Flattens a chart anew after its vertices were moved in space by at most a length, to and fro: hardly any triangle is much thinner than that then.
+  // Flattens a chart anew after its vertices were moved in space by at most a length, to and fro:
+  // hardly any triangle is much thinner than that then.
   bool thicken(std::size_t number, double length)
   {
     const Piece piece{m_charts[number].faces, true};
@@ -328,7 +329,8 @@ private:
     return true;
   }
 
-  // Enters the distortion of a map into the account of a chart, and remembers the map. Returns the triangle that is distorted most.
+  // Enters the distortion of a map into the account of a chart, and remembers the map.
+  // Returns the triangle that is distorted most.
   std::int32_t measure(const Piece& piece, const Open_piece& open, const Positions<2>& x, Chart_summary& chart)
   {
     Distortion_measure measure;

@@ -97,9 +97,10 @@ Positions<2> as_rounded_by(const Positions<2>& x)
   return rounded;
 }
 
-// Moves charts without flips into the unit square: each turned, all scaled alike, bounding boxes apart by the margin. Whatever the charts had,
-// no flips or no overlaps, they have afterwards, in the numbers that the point type can hold; or the status says otherwise and the charts stay as
-// they are. `unrepresentable` receives the number of a chart that the point type is too coarse for.
+// Moves charts without flips into the unit square: each turned, all scaled alike, bounding boxes apart by the margin. Whatever
+// the charts had, no flips or no overlaps, they have afterwards, in the numbers that the point type can hold; or the status says
+// otherwise and the charts stay as they are. `unrepresentable` receives the number of a chart that the point type is too coarse
+// for.
 template <typename Point>
 void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& options, Packing_summary& summary,
                       std::size_t* unrepresentable = nullptr)

@@ -28,9 +28,9 @@ struct Rectangle_place
   bool is_turned = false;
 };
 
-// Packs rectangles, scaled alike and each surrounded by half the margin, into the unit square. Rectangles are laid down by descending
-// height, each where it ends lowest above the skyline of those before. The scale is the largest that was seen to fit; it is found by
-// bisection, since all lengths but the margin are proportional to it.
+// Packs rectangles, scaled alike and each surrounded by half the margin, into the unit square. Rectangles are laid down by
+// descending height, each where it ends lowest above the skyline of those before. The scale is the largest that was seen to fit;
+// it is found by bisection, since all lengths but the margin are proportional to it.
 class Rectangle_packer
 {
 public:
@@ -46,7 +46,8 @@ public:
       sum += size[0] + size[1];
       longest = (std::max)({longest, size[0], size[1]});
     }
-    // No scale can exceed that at which the areas add up to 1, the positive root of a quadratic equation, or a rectangle is as long as the square.
+    // No scale can exceed that at which the areas add up to 1, the positive root of a quadratic equation,
+    // or a rectangle is as long as the square.
     const double room = 1 - n * m_margin * m_margin, half = 0.5 * m_margin * sum;
     if(!(room > 0) || !(longest > 0))
       return false;
@@ -130,7 +131,8 @@ private:
     return true;
   }
 
-  // The place where a box' top is lowest, the left one of several. Returns the height of the top, infinity when the box is too wide.
+  // The place where a box' top is lowest, the left one of several. Returns the height of the top,
+  // infinity when the box is too wide.
   double lowest(double width, double height, Rectangle_place& place) const
   {
     double best = std::numeric_limits<double>::infinity();

@@ -56,8 +56,8 @@ public:
     return static_cast<std::int32_t>(std::max_element(distances.begin(), distances.end()) - distances.begin());
   }
 
-  // Inner edges that part the surface when it is cut along them, somewhere between the two triangles, which must differ: where the regions that
-  // are nearer to either meet, straightened if that is a single line from border to border.
+  // Inner edges that part the surface when it is cut along them, somewhere between the two triangles, which must differ: where
+  // the regions that are nearer to either meet, straightened if that is a single line from border to border.
   std::vector<Edge> separate(std::int32_t a, std::int32_t b) const
   {
     const std::vector<double> to_a = distances(a), to_b = distances(b);
@@ -128,7 +128,8 @@ private:
     return result;
   }
 
-  // Along inner edges, some of which lead from one end to the other. Parts that are cut off by a way along the border are parts, too.
+  // Along inner edges, some of which lead from one end to the other.
+  // Parts that are cut off by a way along the border are parts, too.
   std::vector<Edge> shortest_way(std::int32_t from, std::int32_t to) const
   {
     std::vector<std::vector<std::pair<std::int32_t, Edge>>> ways(m_points.cols());

@@ -34,8 +34,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// A surface with seams, and its pieces. Works on meshes of its own, the same type for all meshes of users: one of the whole surface, and one of
-// each piece, cut open. Faces and their corners have the numbers of the arrays everywhere.
+// A surface with seams, and its pieces. Works on meshes of its own, the same type for all meshes of users: one of the whole
+// surface, and one of each piece, cut open. Faces and their corners have the numbers of the arrays everywhere.
 class Chart_surface
 {
 public:
@@ -243,8 +243,8 @@ protected:
     return longest.second;
   }
 
-  // Angles that are missing from a planar surface with holes, in all: at inner vertices those to 2 pi, and at each hole that of its total turn to
-  // -2 pi. Infinite for surfaces that are no disks with holes, or have none.
+  // Angles that are missing from a planar surface with holes, in all: at inner vertices those to 2 pi, and at each hole that of
+  // its total turn to -2 pi. Infinite for surfaces that are no disks with holes, or have none.
   static double missing_angles(const Open_piece& open)
   {
     const double infinity = std::numeric_limits<double>::infinity();

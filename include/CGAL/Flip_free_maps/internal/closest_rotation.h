@@ -30,9 +30,9 @@ inline void closest_rotation(const Matrix<2>& M, Matrix<2>& R)
   R << c * inverse, -s * inverse, s * inverse, c * inverse;
 }
 
-// In space by Newton's method on the rotations, which takes two or three steps from the rotation of the iteration before. A stationary
-// R is the maximum, and not a saddle, if and only if tr(S) I - S is positive definite for the symmetric S = R^T M; when it is not, or
-// not clearly, the singular value decomposition decides.
+// In space by Newton's method on the rotations, which takes two or three steps from the rotation of the iteration before. A
+// stationary R is the maximum, and not a saddle, if and only if tr(S) I - S is positive definite for the symmetric S = R^T M;
+// when it is not, or not clearly, the singular value decomposition decides.
 inline void closest_rotation(const Matrix<3>& M, Matrix<3>& R)
 {
   constexpr int MAX_STEPS = 6;

@@ -32,9 +32,9 @@ namespace internal {
 using Cut_queue = std::priority_queue<std::pair<double, std::int32_t>, std::vector<std::pair<double, std::int32_t>>,
                                       std::greater<std::pair<double, std::int32_t>>>;
 
-// The seams that grow on a surface which is opened along the user's seams. Each border of the opened surface is shrunk to one node, the other
-// copies of vertices are nodes themselves; so every piece is a closed surface, and seams that form a connected graph with a disk as their
-// complement there, and contain the nodes of all borders, cut it to a disk.
+// The seams that grow on a surface which is opened along the user's seams. Each border of the opened surface is shrunk to one
+// node, the other copies of vertices are nodes themselves; so every piece is a closed surface, and seams that form a connected
+// graph with a disk as their complement there, and contain the nodes of all borders, cut it to a disk.
 class Cut_graph
 {
 public:
@@ -59,8 +59,8 @@ public:
   bool is_on_cut(std::int32_t node) const { return is_loop(node) || m_degrees[node] > 0; }
   const std::vector<char>& is_cut() const { return m_is_cut; }
 
-  // Cuts open the handles of all pieces, before there are other seams, by loops through a base: the shortest system of loops for the base
-  // (Erickson and Whittlesey 2005), for the best of some bases that are far from each other.
+  // Cuts open the handles of all pieces, before there are other seams, by loops through a base: the shortest system of loops for
+  // the base (Erickson and Whittlesey 2005), for the best of some bases that are far from each other.
   void open_handles(bool begin_on_borders)
   {
     const std::int32_t pieces = m_opening.number_of_pieces();
@@ -115,8 +115,8 @@ public:
         set_cut(e, true);
   }
 
-  // Keeps nodes as ends of seams, and joins them to the seams of their pieces by short paths, the nearest first. Where a piece has no seams, the
-  // borders serve as such, and the first of the nodes if there are none or the borders are to be joined, too.
+  // Keeps nodes as ends of seams, and joins them to the seams of their pieces by short paths, the nearest first. Where a piece
+  // has no seams, the borders serve as such, and the first of the nodes if there are none or the borders are to be joined, too.
   void connect(const std::vector<std::int32_t>& ends)
   {
     std::fill(m_distances.begin(), m_distances.end(), infinity());
@@ -181,8 +181,8 @@ public:
     }
   }
 
-  // Replaces chains of seam edges between branchings by shorter ones. Without a chain the complement is an annulus, which any path from one of its
-  // borders to the other cuts to a disk again: the shortest is taken, wherever its ends are.
+  // Replaces chains of seam edges between branchings by shorter ones. Without a chain the complement is an annulus, which any
+  // path from one of its borders to the other cuts to a disk again: the shortest is taken, wherever its ends are.
   void shorten(int rounds)
   {
     std::fill(m_distances.begin(), m_distances.end(), infinity());
@@ -333,8 +333,8 @@ private:
     return m_neighbors[i].edge;
   }
 
-  // From the tree of shortest paths in m_predecessors, and the tree of faces that crosses edges of long loops first: cuts the edges that are in
-  // neither, with their paths to the base.
+  // From the tree of shortest paths in m_predecessors, and the tree of faces that crosses edges of long loops first: cuts the
+  // edges that are in neither, with their paths to the base.
   template <typename HasHandles>
   void find_loops(HasHandles&& has_handles)
   {
@@ -472,8 +472,8 @@ private:
       m_marks[n] = 0;
   }
 
-  // The shortest path from some nodes, which are marked 1, to nodes marked 2 that meets no other seam and no other border; empty if none is
-  // shorter than the bound.
+  // The shortest path from some nodes, which are marked 1, to nodes marked 2 that meets no other seam and no other border; empty
+  // if none is shorter than the bound.
   std::vector<std::int32_t> path_between_sides(const std::vector<std::int32_t>& begin_side, double bound)
   {
     std::vector<std::int32_t> path, reached = begin_side;
@@ -514,8 +514,8 @@ private:
 
   bool is_on_border(std::int32_t h) const { return m_opening.is_border(h) || m_is_cut[m_surface.edge_of[h]]; }
 
-  // The first corner of the fan between seams that a corner belongs to, the one whose halfedge is on a seam or border; -1 where there is none
-  // around the vertex.
+  // The first corner of the fan between seams that a corner belongs to, the one whose halfedge is on a seam or border; -1 where
+  // there is none around the vertex.
   std::int32_t first_of_fan(std::int32_t corner) const
   {
     std::int32_t first = corner;
@@ -539,8 +539,9 @@ private:
     return fans;
   }
 
-  // The same where the seams stay connected without the chain: its two sides are different borders of the surface that is opened along them. The
-  // ends of paths are fans there, known by their first corners, and vertices that are not on seams, known by -1 - vertex.
+  // The same where the seams stay connected without the chain: its two sides are different borders of the surface that is opened
+  // along them. The ends of paths are fans there, known by their first corners, and vertices that are not on seams,
+  // known by -1 - vertex.
   std::vector<std::int32_t> path_across_annulus(const Chain& chain) const
   {
     const auto fan_at = [this](std::int32_t e, std::int32_t node) {

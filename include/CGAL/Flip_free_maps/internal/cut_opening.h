@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// A surface opened along some edges: each vertex has a copy for each of the fans of corners between the cut edges around it. Borders are
-// numbered, and so are the connected pieces.
+// A surface opened along some edges: each vertex has a copy for each of the fans of corners between the cut edges around it.
+// Borders are numbered, and so are the connected pieces.
 class Cut_opening
 {
 public:
@@ -48,7 +48,8 @@ public:
 
   bool is_border(std::int32_t h) const { return m_is_border[h]; }
 
-  // The corner next to this one around their vertex, -1 at the end of the fan. Between them lies the edge of the halfedge prev(corner).
+  // The corner next to this one around their vertex, -1 at the end of the fan.
+  // Between them lies the edge of the halfedge prev(corner).
   std::int32_t next_corner(std::int32_t corner) const
   {
     const std::int32_t h = Cut_surface::prev(corner);

@@ -158,7 +158,8 @@ private:
       }
   }
 
-  // Two places of each sphere without points that are far from each other: the farthest from anywhere, and the farthest from there.
+  // Two places of each sphere without points that are far from each other: the farthest from anywhere,
+  // and the farthest from there.
   void add_far_pairs(std::vector<std::int32_t>& ends)
   {
     const std::int32_t pieces = m_opening.number_of_pieces();
@@ -185,8 +186,8 @@ private:
       }
   }
 
-  // Section 4.2 of Liu et al. 2018: the vertex nearest to the lower left front corner of the bounding box, then again and again the vertex with the
-  // largest sum of distances to those that were chosen.
+  // Section 4.2 of Liu et al. 2018: the vertex nearest to the lower left front corner of the bounding box, then again and again
+  // the vertex with the largest sum of distances to those that were chosen.
   std::vector<std::int32_t> farthest_points()
   {
     const std::int32_t pieces = m_opening.number_of_pieces();

@@ -33,9 +33,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// How much a surface would be scaled by the conformal map that flattens it and keeps the lengths of its borders and seams: exp(u), where the
-// Laplacian of u is the Gaussian curvature and u = 0 on borders and seams. The mean of cosh(2 u) is the mean symmetric Dirichlet energy of that
-// map, so maxima of |u| are the places that seams should reach.
+// How much a surface would be scaled by the conformal map that flattens it and keeps the lengths of its borders and seams:
+// exp(u), where the Laplacian of u is the Gaussian curvature and u = 0 on borders and seams. The mean of cosh(2 u) is the mean
+// symmetric Dirichlet energy of that map, so maxima of |u| are the places that seams should reach.
 class Cut_potential
 {
 public:
@@ -89,8 +89,8 @@ public:
   // Makes u the values: 0 at some vertices, of which each component must have one. `false` if the factorization fails.
   bool find_potential(const std::vector<char>& is_fixed) { return solve(is_fixed, std::vector<double>(), m_curvatures); }
 
-  // Makes the curvature that is summed over discs the values: K is spread by two steps of heat diffusion of given lengths, by vertex, and multiplied
-  // such that curvature in one point is its own sum.
+  // Makes the curvature that is summed over discs the values: K is spread by two steps of heat diffusion of given lengths, by
+  // vertex, and multiplied such that curvature in one point is its own sum.
   bool find_summed_curvature(const std::vector<double>& times)
   {
     const std::vector<char> is_fixed(times.size(), 0);
@@ -104,14 +104,16 @@ public:
 
   double value(std::int32_t v) const { return m_values[v]; }
 
-  // The expected energy above 1 at a vertex, times its area. Beyond some distortion it does not count more: long tubes would hide everything else.
+  // The expected energy above 1 at a vertex, times its area. Beyond some distortion it does not count more:
+  // long tubes would hide everything else.
   double excess(std::int32_t v) const
   {
     return m_areas[v] * (std::cosh(2 * (std::min)(std::abs(m_values[v]), LARGEST_POTENTIAL)) - 1);
   }
 
-  // Maxima of the values' magnitudes that are higher by `prominence` than the passes to higher maxima, each with the excess of its surroundings
-  // down to the passes; those with the largest excess come first. Vertices where `is_wanted` does not hold are left out.
+  // Maxima of the values' magnitudes that are higher by `prominence` than the passes to higher maxima, each with the excess of
+  // its surroundings down to the passes; those with the largest excess come first.
+  // Vertices where `is_wanted` does not hold are left out.
   template <typename IsWanted>
   std::vector<Peak> peaks(double prominence, IsWanted&& is_wanted) const
   {
@@ -177,8 +179,8 @@ private:
   static constexpr double SMALLEST_WEIGHT = 1e-3;
   static constexpr double LARGEST_POTENTIAL = 1.5;
 
-  // Solves with the Laplacian, to whose diagonal masses are added if there are any, and the values 0 at fixed vertices. All vertices are in the
-  // matrix, so that its pattern is analysed only once.
+  // Solves with the Laplacian, to whose diagonal masses are added if there are any, and the values 0 at fixed vertices. All
+  // vertices are in the matrix, so that its pattern is analysed only once.
   bool solve(const std::vector<char>& is_fixed, const std::vector<double>& masses, const Eigen::VectorXd& right)
   {
     const std::int32_t n = m_surface.number_of_vertices();

@@ -33,8 +33,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// A triangle mesh as flat arrays. Halfedge 3 f + k goes from corner k of face f to the next one, so it names the corner, too. Lengths are in
-// units of the bounding box, whose longest side is 1.
+// A triangle mesh as flat arrays. Halfedge 3 f + k goes from corner k of face f to the next one, so it names the corner, too.
+// Lengths are in units of the bounding box, whose longest side is 1.
 struct Cut_surface
 {
   std::vector<std::array<std::int32_t, 3>> faces;

@@ -46,10 +46,10 @@ inline std::vector<double> perimeters_of_holes(const Simplicial_domain<2>& domai
   return perimeters;
 }
 
-// The disk that a surface with holes becomes when they are closed, with what embeddings of disks need: elements, rest shapes and the border.
-// A hole of n edges is filled as if it were a regular polygon of its perimeter, by rings of half as many edges each and a fan in the middle:
-// a mere fan would leave so few edges across a large hole that it shrinks to a point. The new vertices follow those of the surface. Holes of
-// two edges need no triangles: the edges have the same ends, so their images are one.
+// The disk that a surface with holes becomes when they are closed, with what embeddings of disks need: elements, rest shapes and
+// the border. A hole of n edges is filled as if it were a regular polygon of its perimeter, by rings of half as many edges each
+// and a fan in the middle: a mere fan would leave so few edges across a large hole that it shrinks to a point. The new vertices
+// follow those of the surface. Holes of two edges need no triangles: the edges have the same ends, so their images are one.
 inline Simplicial_domain<2> fill_holes(const Simplicial_domain<2>& domain)
 {
   Simplicial_domain<2> disk;

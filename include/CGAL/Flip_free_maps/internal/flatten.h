@@ -36,8 +36,8 @@ template <typename Minimizer>
 struct Has_analyze<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().analyze(std::declval<Summary&>()))>>
   : std::true_type {};
 
-// Makes a start by `start()`, which tells whether it succeeded, and minimises. The pattern of the matrix does not depend on the start, so
-// both are found at the same time; but not where the start may be the solution.
+// Makes a start by `start()`, which tells whether it succeeded, and minimises. The pattern of the matrix does not depend on the
+// start, so both are found at the same time; but not where the start may be the solution.
 template <typename Traits, typename Start>
 void start_and_minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
                         Positions<2>& x, Summary& summary)
@@ -78,10 +78,10 @@ struct Free_minimization
   }
 };
 
-// From a mesh in memory to a written, certified uv map. `make_start(domain, vertices, x, name, message)` computes the start, after
-// `constrain(graph, constraints, message)` has entered what is asked of the map. `traits` are adapted to the surface before. Fixed vertices
-// keep their positions exactly: `exact_position(v, p)` gives them in the user's units, or returns false where there are none.
-// `minimization` is like `Free_minimization`.
+// From a mesh in memory to a written, certified uv map. `make_start(domain, vertices, x, name, message)` computes the start,
+// after `constrain(graph, constraints, message)` has entered what is asked of the map. `traits` are adapted to the surface
+// before. Fixed vertices keep their positions exactly: `exact_position(v, p)` gives them in the user's units, or returns false
+// where there are none. `minimization` is like `Free_minimization`.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart, typename Constrain,
           typename ExactPosition, typename Minimization = Free_minimization>
 Summary flatten(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,

@@ -30,10 +30,10 @@ namespace internal {
 
 // Minimises the mean energy of a disk with holes among the maps that are injective as a whole, borders included.
 //
-// The free optimum is taken if it is injective. Otherwise the map begins anew at an injective start and goes freely for as long as it stays
-// injective; then what lies outside of it is triangulated and minimised along with it, with a small weight, again and again (Jiang,
-// Schaefer and Panozzo 2017). No triangle of the outside flips, so the borders cannot pass through each other; its rest shape is always
-// the present one, so it has no say about where the map finally comes to rest.
+// The free optimum is taken if it is injective. Otherwise the map begins anew at an injective start and goes freely for as long
+// as it stays injective; then what lies outside of it is triangulated and minimised along with it, with a small weight, again and
+// again (Jiang, Schaefer and Panozzo 2017). No triangle of the outside flips, so the borders cannot pass through each other; its
+// rest shape is always the present one, so it has no say about where the map finally comes to rest.
 template <typename Traits>
 class Bijective_minimizer
 {
@@ -109,7 +109,8 @@ private:
   static constexpr int STEPS = 2;
   // A step that a collapsing triangle ends before this length asks for another triangulation.
   static constexpr double THROTTLED = 0.3;
-  // Relative decrease of the energy from one triangulation to the next that counts as none, and how often in a row that ends the run.
+  // Relative decrease of the energy from one triangulation to the next that counts as none,
+  // and how often in a row that ends the run.
   static constexpr double TOLERANCE = 5e-5;
   static constexpr int STAGNATION = 2;
 

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Lays a triangle in space isometrically in the plane, its first edge along the x axis: the inverse of the edge matrix and the area.
-// False when the area has no correct digit or the inverse leaves the range of double.
+// Lays a triangle in space isometrically in the plane, its first edge along the x axis: the inverse of the edge matrix and the
+// area. False when the area has no correct digit or the inverse leaves the range of double.
 inline bool planar_rest_shape(const Vector<3>& p_0, const Vector<3>& p_1, const Vector<3>& p_2, Matrix<2>& rest_inverse, double& area)
 {
   const Vector<3> a = p_1 - p_0, b = p_2 - p_0;

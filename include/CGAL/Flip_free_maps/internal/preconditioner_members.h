@@ -25,11 +25,11 @@ struct Run_state
 {
   /// Accepted steps so far; 0 begins a new run.
   int iteration = 0;
-  /// Relative decrease of the energy by the last step, infinite before the first. While the reference is not the rest shape, that of the
-  /// reference's own measure.
+  /// Relative decrease of the energy by the last step, infinite before the first. While the reference is not the rest shape, that
+  /// of the reference's own measure.
   double relative_decrease = std::numeric_limits<double>::infinity();
-  /// Decrease of the energy by the last step over the decrease that the preconditioner's quadratic model predicted for it; NaN before
-  /// the first step, and where the model had another matrix.
+  /// Decrease of the energy by the last step over the decrease that the preconditioner's quadratic model predicted for it; NaN
+  /// before the first step, and where the model had another matrix.
   double model_ratio = std::numeric_limits<double>::quiet_NaN();
   /// The fraction of elements whose symmetric Dirichlet energy, measured on the rest shape, exceeds a bound.
   std::function<double(double)> distorted_fraction;
@@ -58,7 +58,8 @@ struct Has_retreat : std::false_type {};
 template <typename Preconditioner>
 struct Has_retreat<Preconditioner, std::void_t<decltype(std::declval<Preconditioner&>().retreat())>> : std::true_type {};
 
-// Whether the preconditioner has a more careful form for iterations in which its matrix is indefinite, or gives no direction of descent.
+// Whether the preconditioner has a more careful form for iterations in which its matrix is indefinite,
+// or gives no direction of descent.
 template <typename Preconditioner>
 bool can_retreat(const Preconditioner& preconditioner)
 {

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Replaces the eigenvalues of a symmetric matrix by their positive parts or, when `absolute`, by their absolute values. Matrices that
-// are diagonally dominant with a positive diagonal, the common case, are left as they are without computing eigenvalues.
+// Replaces the eigenvalues of a symmetric matrix by their positive parts or, when `absolute`, by their absolute values. Matrices
+// that are diagonally dominant with a positive diagonal, the common case, are left as they are without computing eigenvalues.
 template <int N>
 void project_to_psd(Eigen::Matrix<double, N, N>& matrix, bool absolute = false)
 {

@@ -32,8 +32,8 @@ enum class Apart_end
   not_started
 };
 
-// Calls `f(bytes)`, which fills a string and returns a code from 0 to 254, in a process of its own, so that nothing it does can harm
-// this one: it may crash, throw (code 255) or print. Where there is no fork() it is called directly.
+// Calls `f(bytes)`, which fills a string and returns a code from 0 to 254, in a process of its own, so that nothing it does can
+// harm this one: it may crash, throw (code 255) or print. Where there is no fork() it is called directly.
 template <typename F>
 Apart_end run_apart(F&& f, std::string& bytes, int& code)
 {

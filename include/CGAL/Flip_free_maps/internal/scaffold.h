@@ -34,14 +34,14 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Triangles that fill what an injective planar map leaves of a large box around it, its holes included. The border of the map keeps its
-// edges; vertices are added inside of the rest, where triangles would be long and thin otherwise. As long as none of these
-// triangles flips, nor one of the map's, the map stays injective.
+// Triangles that fill what an injective planar map leaves of a large box around it, its holes included. The border of the map
+// keeps its edges; vertices are added inside of the rest, where triangles would be long and thin otherwise. As long as none of
+// these triangles flips, nor one of the map's, the map stays injective.
 class Scaffold
 {
 public:
-  // Triangulates around the map `x`, in which all triangles of the disk with holes `domain` must be positive and its borders disjoint simple
-  // curves. False if they are not.
+  // Triangulates around the map `x`, in which all triangles of the disk with holes `domain` must be positive and its borders
+  // disjoint simple curves. False if they are not.
   bool build(const Simplicial_domain<2>& domain, const Positions<2>& x)
   {
     m_elements.clear();
@@ -171,8 +171,8 @@ private:
     }
   }
 
-  // Adds circumcentres of badly shaped triangles outside (Ruppert 1995), but never one that would ask for another vertex on a constrained
-  // edge.
+  // Adds circumcentres of badly shaped triangles outside (Ruppert 1995), but never one that would ask for another vertex on a
+  // constrained edge.
   static void refine(Triangulation& triangulation)
   {
     std::size_t left = MOST_ADDED * triangulation.number_of_vertices();

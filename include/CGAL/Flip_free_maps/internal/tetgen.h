@@ -10,8 +10,8 @@
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
 
-// Without this macro TetGen's inline functions end the program on bad input; with it they throw a number. Whoever includes tetgen.h
-// before must have defined it too.
+// Without this macro TetGen's inline functions end the program on bad input; with it they throw a number. Whoever includes
+// tetgen.h before must have defined it too.
 #ifndef TETLIBRARY
 #ifdef tetgenH
 #error "define TETLIBRARY before tetgen.h is included"

@@ -22,8 +22,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Lays triangle after triangle in the plane, each next to one that lies there already, the nearest ones to the first triangle first. On a developable
-// surface that is the isometry; on others edges that were not crossed are torn, which the places of their vertices hide.
+// Lays triangle after triangle in the plane, each next to one that lies there already, the nearest ones to the first triangle
+// first. On a developable surface that is the isometry; on others edges that were not crossed are torn,
+// which the places of their vertices hide.
 inline void unfold(const Simplicial_domain<2>& domain, Positions<2>& x)
 {
   using Complex = std::complex<double>;

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Moves every vertex that is not fixed to the mean of its neighbours (Tutte 1963): the start of a map whose boundary is given. In space
-// elements may flip. Returns `false` when the linear solver fails, as where a part of the mesh has no fixed vertex.
+// Moves every vertex that is not fixed to the mean of its neighbours (Tutte 1963): the start of a map whose boundary is given. In
+// space elements may flip. Returns `false` when the linear solver fails, as where a part of the mesh has no fixed vertex.
 template <int D, typename LinearSolver>
 bool uniform_extension(const Simplicial_domain<D>& domain, const std::vector<std::int32_t>& fixed_vertices, LinearSolver&& solver,
                        Positions<D>& x)

@@ -40,8 +40,8 @@ Point make_point_2(double x, double y)
     return Point{C(x), C(y)};
 }
 
-// Writes a planar map to the caller's property map if it is still free of flips after conversion to the map's number type; says so in
-// the summary otherwise and leaves the caller's map as it is. Flips that the summary counts already do no harm.
+// Writes a planar map to the caller's property map if it is still free of flips after conversion to the map's number type; says
+// so in the summary otherwise and leaves the caller's map as it is. Flips that the summary counts already do no harm.
 template <typename Kernel, typename VertexDescriptor, typename VertexUVMap>
 void write_positions(const Simplicial_domain<2>& domain, const std::vector<VertexDescriptor>& vertices, const Positions<2>& x,
                      VertexUVMap& uv_map, Summary& summary)

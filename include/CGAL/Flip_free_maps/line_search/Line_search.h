@@ -36,9 +36,10 @@ constexpr double LARGEST_FIRST_STEP = 1e3;
 /// \ingroup PkgFlipFreeMapsRef
 /// Finds a step along a descent direction at which the energy has decreased sufficiently (Armijo), never beyond
 /// `options.step_fraction` of `largest_step`. It begins at the full step, or at the bound where that is shorter or where
-/// `options.begin_with_largest_step` asks for it; goes back by safeguarded quadratic interpolation, from beyond the full step by halves; and, when `extend` is true, goes on beyond an accepted first step while the energy
-/// decreases: a projected Hessian overestimates curvature, so its full step is often too short.
-/// NaN and infinite energies count as too large; the number of evaluations is bounded.
+/// `options.begin_with_largest_step` asks for it; goes back by safeguarded quadratic interpolation, from beyond the full step by
+/// halves; and, when `extend` is true, goes on beyond an accepted first step while the energy decreases: a projected Hessian
+/// overestimates curvature, so its full step is often too short. NaN and infinite energies count as too large;
+/// the number of evaluations is bounded.
 ///
 /// \tparam Energy a functor: the energy at step a, `double operator()(double a)`; +infinity where an element is not positive
 /// \param energy the energy along the direction

@@ -114,9 +114,9 @@ inline double step_of_tetrahedron(const Eigen::Matrix3d& edges, const Eigen::Mat
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The smallest a > 0 with det(edges + a increment) = 0 for a triangle, `infinity` when there is none: the step at which a positively
-/// oriented triangle collapses (Smith and Schaefer 2015, section 3.3). The determinant is a quadratic in a; its root is taken in
-/// the form that does not cancel, without absolute thresholds, so that tiny triangles are judged like large ones.
+/// The smallest a > 0 with det(edges + a increment) = 0 for a triangle, `infinity` when there is none: the step at which a
+/// positively oriented triangle collapses (Smith and Schaefer 2015, section 3.3). The determinant is a quadratic in a; its root
+/// is taken in the form that does not cancel, without absolute thresholds, so that tiny triangles are judged like large ones.
 ///
 /// \pre `edges` has a positive determinant
 inline double largest_flip_free_step(const Eigen::Matrix2d& edges, const Eigen::Matrix2d& increment)
@@ -126,9 +126,9 @@ inline double largest_flip_free_step(const Eigen::Matrix2d& edges, const Eigen::
 
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The smallest a > 0 with det(edges + a increment) = 0 for a tetrahedron, `infinity` when there is none. The determinant is a cubic in
-/// a, whose smallest positive root is bracketed between its extrema and bisected; degenerate leading coefficients need no
-/// special treatment.
+/// The smallest a > 0 with det(edges + a increment) = 0 for a tetrahedron, `infinity` when there is none. The determinant is a
+/// cubic in a, whose smallest positive root is bracketed between its extrema and bisected; degenerate leading coefficients need
+/// no special treatment.
 ///
 /// \pre `edges` has a positive determinant
 inline double largest_flip_free_step(const Eigen::Matrix3d& edges, const Eigen::Matrix3d& increment)

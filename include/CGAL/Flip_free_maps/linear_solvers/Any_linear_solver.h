@@ -25,8 +25,8 @@ namespace Flip_free_maps {
 class Any_linear_solver
 {
 public:
-  /// Holds a new solver of the given type: `Any_linear_solver::make<Eigen_simplicial_solver>()`. It may use `memory_budget` bytes if it takes
-  /// such a budget.
+  /// Holds a new solver of the given type: `Any_linear_solver::make<Eigen_simplicial_solver>()`. It may use `memory_budget` bytes
+  /// if it takes such a budget.
   template <typename Solver>
   static Any_linear_solver make(double memory_budget = 0)
   {

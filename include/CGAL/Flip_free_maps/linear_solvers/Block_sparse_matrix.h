@@ -20,18 +20,18 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
-/// A symmetric sparse matrix with one b x b block per pair of adjacent vertices, of which the lower triangle is stored by columns:
-/// row and column b v + i belong to coordinate i of vertex v. Every column begins with its diagonal entry and has its rows in
-/// ascending order, the form that CHOLMOD (`stype` -1) and Eigen (`Lower`) take without a copy. The graph of the vertices is
-/// kept beside it, since orderings are computed on it.
+/// A symmetric sparse matrix with one b x b block per pair of adjacent vertices, of which the lower triangle is stored by
+/// columns: row and column b v + i belong to coordinate i of vertex v. Every column begins with its diagonal entry and has its
+/// rows in ascending order, the form that CHOLMOD (`stype` -1) and Eigen (`Lower`) take without a copy. The graph of the vertices
+/// is kept beside it, since orderings are computed on it.
 class Block_sparse_matrix
 {
 public:
   /// Type of column starts and row indices: 64 bits, since factors of large meshes have more than 2^31 entries.
   using Index = std::int64_t;
 
-  /// Builds the pattern in which the vertices of each stencil are pairwise adjacent, with all entries zero. Negative numbers stand for
-  /// vertices that are no unknowns, and are passed over.
+  /// Builds the pattern in which the vertices of each stencil are pairwise adjacent, with all entries zero. Negative numbers
+  /// stand for vertices that are no unknowns, and are passed over.
   /// \tparam Stencils a range of arrays of vertex numbers
   template <typename Stencils>
   void build_pattern(std::int32_t number_of_vertices, int block_size, const Stencils& stencils)

@@ -24,14 +24,15 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
-/// CHOLMOD's Cholesky factorization (Chen, Davis, Hager and Rajamanickam 2008), with 64-bit indices. Orderings are computed on the graph
-/// of the vertices and expanded to the blocks: approximate minimum degree, and where that leaves many operations METIS nested dissection as
-/// well, which takes several times as long; the one with fewer floating-point operations is kept. CHOLMOD chooses the supernodal or the simplicial kernel by the operations
-/// per entry of the factor. The factor's storage is kept between factorizations.
+/// CHOLMOD's Cholesky factorization (Chen, Davis, Hager and Rajamanickam 2008), with 64-bit indices. Orderings are computed on
+/// the graph of the vertices and expanded to the blocks: approximate minimum degree, and where that leaves many operations METIS
+/// nested dissection as well, which takes several times as long; the one with fewer floating-point operations is kept. CHOLMOD
+/// chooses the supernodal or the simplicial kernel by the operations per entry of the factor.
+/// The factor's storage is kept between factorizations.
 ///
-/// Where a factorization is large, the elimination tree is cut into two parts of about the same work and a separator that is eliminated last.
-/// The parts are analysed, factorized and solved with by two threads, if TBB is linked and allows as many, and one after the other
-/// otherwise, with the same result. Within each, the threads of OpenMP and of OpenBLAS are held off:
+/// Where a factorization is large, the elimination tree is cut into two parts of about the same work and a separator that is
+/// eliminated last. The parts are analysed, factorized and solved with by two threads, if TBB is linked and allows as many, and
+/// one after the other otherwise, with the same result. Within each, the threads of OpenMP and of OpenBLAS are held off:
 /// the sums of the latter, and so the map, would depend on their number.
 ///
 /// Available when `CGAL_FLIP_FREE_MAPS_USE_CHOLMOD` is defined.

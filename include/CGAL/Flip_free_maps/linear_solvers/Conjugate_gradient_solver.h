@@ -25,7 +25,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
-/// The preconditioner of conjugate gradients that inverts the blocks on the diagonal, in the form that Eigen's iterative solvers ask for.
+/// The preconditioner of conjugate gradients that inverts the blocks on the diagonal,
+/// in the form that Eigen's iterative solvers ask for.
 ///
 /// Complexity: linear in the number of rows, a hundred bytes per vertex.
 template <int D>
@@ -95,15 +96,15 @@ public:
 };
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
-/// Conjugate gradients with a preconditioner, for meshes of which the factor does not fit into memory. Directions are inexact: a right-hand side b is
-/// solved for up to the residual `tolerance` |b| sqrt(|b| / |c|), where c is the longest right-hand side so far. That is the 1 % of Claici et
-/// al. 2017, section 6.2, far from the solution, and tightens as the gradient shrinks, so that steps of Newton still converge faster
-/// than linearly (the inexact Newton rule of Dembo and Steihaug).
+/// Conjugate gradients with a preconditioner, for meshes of which the factor does not fit into memory. Directions are inexact: a
+/// right-hand side b is solved for up to the residual `tolerance` |b| sqrt(|b| / |c|), where c is the longest right-hand side so
+/// far. That is the 1 % of Claici et al. 2017, section 6.2, far from the solution, and tightens as the gradient shrinks, so that
+/// steps of Newton still converge faster than linearly (the inexact Newton rule of Dembo and Steihaug).
 ///
 /// \tparam Preconditioner_ a preconditioner of Eigen's iterative solvers with a name: `Incomplete_cholesky` or `Block_jacobi`
 ///
-/// Complexity: as much memory as twice the matrix, three times with `Incomplete_cholesky`; iterations grow with the number of vertices along
-/// the mesh and with the distortion.
+/// Complexity: as much memory as twice the matrix, three times with `Incomplete_cholesky`; iterations grow with the number of
+/// vertices along the mesh and with the distortion.
 ///
 /// \cgalModels{SymmetricSparseSolver}
 template <typename Preconditioner_ = Incomplete_cholesky>

@@ -32,8 +32,8 @@ struct Has_factor<Traits, std::void_t<decltype(std::declval<Traits&>().factor(st
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
-/// Makes a linear solver of any model of CGAL's concept `SparseLinearAlgebraTraits_d`, such as `CGAL::Eigen_solver_traits`, so that
-/// the solver argument of CGAL's parameterizers keeps its meaning. Models with a member `factor()`
+/// Makes a linear solver of any model of CGAL's concept `SparseLinearAlgebraTraits_d`, such as `CGAL::Eigen_solver_traits`, so
+/// that the solver argument of CGAL's parameterizers keeps its meaning. Models with a member `factor()`
 /// (`SparseLinearAlgebraWithFactorTraits_d`) factorize once per matrix, others once per right-hand side; that concept has no
 /// symbolic analysis, so the ordering is computed anew each time.
 ///

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
-/// The default: `Slim_newton`, or `Killing` where an isometry is within reach. `parameterize()` chooses the latter for developable surfaces, see
-/// `Flip_free_map_traits::adapt_to_developable_surface()`.
+/// The default: `Slim_newton`, or `Killing` where an isometry is within reach. `parameterize()` chooses the latter for
+/// developable surfaces, see `Flip_free_map_traits::adapt_to_developable_surface()`.
 ///
 /// \cgalModels{Preconditioner}
 struct Adaptive_preconditioner

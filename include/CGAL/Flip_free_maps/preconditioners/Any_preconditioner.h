@@ -34,7 +34,8 @@ struct Is_planar<Composite_majorization<gather_terms>> : std::true_type {};
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
-/// A preconditioner that is chosen at run time, for energies of type `Any_energy`: one instantiation of the minimizer serves all methods.
+/// A preconditioner that is chosen at run time, for energies of type `Any_energy`:
+/// one instantiation of the minimizer serves all methods.
 ///
 /// \cgalModels{Preconditioner}
 class Any_preconditioner

@@ -27,8 +27,8 @@ namespace Flip_free_maps {
 ///
 /// \tparam gather_terms whether equation (18) or (17) is used
 ///
-/// The energy must be a model of `ConvexConcaveEnergy`, or have a member function `bool composite_form<2>(state, form)` that writes the
-/// majorizer of another composition, as `Neo_hookean` does with the help of `composite_majorizer()`. D = 2 only.
+/// The energy must be a model of `ConvexConcaveEnergy`, or have a member function `bool composite_form<2>(state, form)` that
+/// writes the majorizer of another composition, as `Neo_hookean` does with the help of `composite_majorizer()`. D = 2 only.
 ///
 /// \cgalModels{Preconditioner}
 template <bool gather_terms = true>
@@ -62,8 +62,8 @@ private:
     double symmetric = (std::max)(internal::symmetric_mode(state, 0, 1), 0.);
     double twist = (std::max)(internal::twist_mode(state, 0, 1), 0.);
     if(!gather_terms) {
-      // Equation (17) has a pole at equal singular values that does not cancel, and rounds to 0 / 0 close to it. With a floor under the
-      // difference it stays finite; it majorizes equation (18) everywhere else.
+      // Equation (17) has a pole at equal singular values that does not cancel, and rounds to 0 / 0 close to it. With a floor
+      // under the difference it stays finite; it majorizes equation (18) everywhere else.
       const double difference = (std::max)(state.s[0] - state.s[1], 1e-8 * state.s[0]);
       symmetric = (std::max)(symmetric, ((std::max)(h_0, 0.) + (std::max)(-h_1, 0.)) / difference);
       twist = (std::max)(twist, ((std::max)(h_0, 0.) + (std::max)(h_1, 0.)) / (state.s[0] + state.s[1]));

@@ -16,12 +16,13 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
-/// One preconditioner while distortion is extreme, another from then on: the hybrid solver of progressive parameterizations (Liu, Ye, Ni
-/// and Fu 2018, section 3.5). The change takes place, for the rest of the run, as soon as 99 % of the elements have a symmetric
-/// Dirichlet energy of at most `bound`, or the last step decreased the energy by less than a tenth.
+/// One preconditioner while distortion is extreme, another from then on: the hybrid solver of progressive parameterizations (Liu,
+/// Ye, Ni and Fu 2018, section 3.5). The change takes place, for the rest of the run, as soon as 99 % of the elements have a
+/// symmetric Dirichlet energy of at most `bound`, or the last step decreased the energy by less than a tenth.
 ///
 /// \tparam First used far from the optimum. <b>Default:</b> \code Slim \endcode
-/// \tparam Second used afterwards. The paper takes composite majorization, which equals the default for the symmetric Dirichlet energy.
+/// \tparam Second used afterwards. The paper takes composite majorization,
+///   which equals the default for the symmetric Dirichlet energy.
 ///         <b>Default:</b> \code Projected_newton \endcode
 ///
 /// \cgalModels{Preconditioner}

@@ -90,9 +90,9 @@ struct Increment_form
     return m;
   }
 
-  /// The D x D matrix M with y^T M z the form's bilinear value on K = y h^T and K = z g^T. A displacement of a vertex changes K by the
-  /// displacement, turned by U^T, times the gradient of its hat function, turned by V^T; so this is the block of two vertices, in the
-  /// frame of U, with the turned gradients h and g.
+  /// The D x D matrix M with y^T M z the form's bilinear value on K = y h^T and K = z g^T. A displacement of a vertex changes K
+  /// by the displacement, turned by U^T, times the gradient of its hat function, turned by V^T; so this is the block of two
+  /// vertices, in the frame of U, with the turned gradients h and g.
   internal::Matrix<D> block(const internal::Vector<D>& h, const internal::Vector<D>& g) const
   {
     internal::Matrix<D> m = stretch.cwiseProduct(h * g.transpose());

@@ -21,7 +21,8 @@ enum class Killing_weight
 {
   rest_measure, ///< the element of the rest shape (Claici et al., section 4.2.1: "we integrate over the 3D surface")
   image_measure, ///< the element of the current image: the Killing operator proper, equations (5) and (10)
-  stiffness ///< that of the rest shape, times how much stiffer against stretching the energy is there than at an isometry, if it is stiffer.
+  stiffness ///< that of the rest shape, times how much stiffer against stretching the energy is there than at an isometry,
+            ///< if it is stiffer.
             ///< For steep energies, such as exponential ones; for others the paper's weights need fewer iterations
 };
 
@@ -29,7 +30,8 @@ enum class Killing_weight
 /// The Killing operator of Claici, Bessmeltsev, Schaefer and Solomon 2017: 1/2 |S + S^T|^2 of the velocity gradient
 /// S = dJ J^-1, which vanishes exactly on infinitesimal rigid motions of the current image (equation 4). In the frame of the
 /// singular vectors it is 2 sum_i (K_ii / s_i)^2 + sum_{i<j} (K_ij / s_j + K_ji / s_i)^2. Assembled, it is the closed form (5)
-/// in the plane and (10) in space. It is scaled so that it equals the Hessian at an isometry, so its full step is the natural one.
+/// in the plane and (10) in space. It is scaled so that it equals the Hessian at an isometry,
+/// so its full step is the natural one.
 ///
 /// \cgalModels{Preconditioner}
 struct Killing

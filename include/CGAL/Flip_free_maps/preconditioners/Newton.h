@@ -14,8 +14,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
-/// The Hessian of the energy as it is. In iterations in which the linear solver finds it indefinite (Cholesky factorizations do, LDL^T ones
-/// need not), or it gives no direction of descent, `Projected_newton` takes its place; `Summary::fallbacks` counts them.
+/// The Hessian of the energy as it is. In iterations in which the linear solver finds it indefinite (Cholesky factorizations do,
+/// LDL^T ones need not), or it gives no direction of descent, `Projected_newton` takes its place;
+/// `Summary::fallbacks` counts them.
 ///
 /// \cgalModels{Preconditioner}
 struct Newton

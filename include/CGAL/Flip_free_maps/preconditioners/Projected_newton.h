@@ -57,8 +57,9 @@ enum class Eigenvalue_filter
 /// (psi_i - psi_j) / (s_i - s_j) and the twist modes (psi_i + psi_j) / (s_i + s_j), with negative eigenvalues filtered.
 ///
 /// Clamping is best near the optimum; absolute values are more careful where the energy is far from convex. With
-/// `Eigenvalue_filter::trust_region` eigenvalues are clamped as long as the last decrease of the energy was within `trust_tolerance`
-/// of the decrease that the quadratic model predicted, relative to the latter, and their absolute values are taken otherwise.
+/// `Eigenvalue_filter::trust_region` eigenvalues are clamped as long as the last decrease of the energy was within
+/// `trust_tolerance` of the decrease that the quadratic model predicted, relative to the latter,
+/// and their absolute values are taken otherwise.
 ///
 /// \cgalModels{Preconditioner}
 struct Projected_newton

@@ -25,8 +25,8 @@ namespace Flip_free_maps {
 /// The target singular values t are all 1, so that the target is the nearest rotation, unless the energy has a member function
 /// `Vector slim_target<D>(const Vector& s) const`, with `Vector` for `Eigen::Matrix<double, D, 1>`: energies whose psi_i is not 0
 /// at s_i = 1 need it (Table I of that paper). psi_i must have the sign of s_i - t_i; the minimiser of psi in s_i, the other
-/// singular values fixed, is always a good choice. Where s_i is t_i the quotient is replaced by a row sum of the Hessian, which is
-/// its limit for separable energies and a bound for others.
+/// singular values fixed, is always a good choice. Where s_i is t_i the quotient is replaced by a row sum of the Hessian, which
+/// is its limit for separable energies and a bound for others.
 ///
 /// Weights are taken absolutely, and are not smaller than 1e-6 times the curvature of the energy at the identity, for
 /// energies that do not depend on all singular values, or grow very slowly: the matrix stays positive definite.

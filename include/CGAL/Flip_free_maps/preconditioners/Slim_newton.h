@@ -24,10 +24,11 @@ namespace Flip_free_maps {
 /// differentials are right, no element exceeds the threshold, on most surfaces. The choice by element and its threshold are this
 /// package's own; thresholds from 8 to 30 serve equally well for the symmetric Dirichlet energy.
 ///
-/// A long closed tube with one open end has no map without great distortion. Rotations are no targets for its elements, and directions that
-/// lead there are throttled at a hundredth of a step, while those of the second differential are good for full steps. So `Projected_newton`
-/// serves all elements while more than `largest_fraction` of them exceed the threshold although the energy decreases slowly. That is
-/// looked at after 1, 2, 4, 8, ... steps. (At most 0.5 % of the elements of other surfaces exceed it then, and 8 % to 70 % of those of tubes.)
+/// A long closed tube with one open end has no map without great distortion. Rotations are no targets for its elements, and
+/// directions that lead there are throttled at a hundredth of a step, while those of the second differential are good for full
+/// steps. So `Projected_newton` serves all elements while more than `largest_fraction` of them exceed the threshold although the
+/// energy decreases slowly. That is looked at after 1, 2, 4, 8, ... steps. (At most 0.5 % of the elements of other surfaces
+/// exceed it then, and 8 % to 70 % of those of tubes.)
 ///
 /// \cgalModels{Preconditioner}
 struct Slim_newton

@@ -14,9 +14,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
-/// Projected Newton as it was before analytic eigensystems, and as Shtengel et al. 2017 compare with: the eigenvalues of each element's
-/// matrix on the displacements of its vertices, 6 x 6 for triangles and 12 x 12 for tetrahedra, are clamped (Teran et al. 2005). It
-/// depends on the shape of the element at rest, which `Projected_newton` does not, and an eigenvalue decomposition per element is slow.
+/// Projected Newton as it was before analytic eigensystems, and as Shtengel et al. 2017 compare with: the eigenvalues of each
+/// element's matrix on the displacements of its vertices, 6 x 6 for triangles and 12 x 12 for tetrahedra, are clamped (Teran et
+/// al. 2005). It depends on the shape of the element at rest, which `Projected_newton` does not,
+/// and an eigenvalue decomposition per element is slow.
 ///
 /// \cgalModels{Preconditioner}
 struct Vertex_space_newton

@@ -31,8 +31,8 @@ struct Inner_function
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// The Hessian of the convex majorizer of a composite energy h(g(J)) (Shtengel et al. 2017, equation 9):
-/// sum_ij h+_ij grad g_i grad g_j^T, plus (dh/dg_i)_+ times the Hessian of the convex part of each g_i, plus (dh/dg_i)_- times that of
-/// its concave part.
+/// sum_ij h+_ij grad g_i grad g_j^T, plus (dh/dg_i)_+ times the Hessian of the convex part of each g_i, plus (dh/dg_i)_- times
+/// that of its concave part.
 ///
 /// \param h_gradient first derivatives of h in the N inner functions
 /// \param h_convex_hessian Hessian of the convex part of h

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsReferences
-/// How a progressive reference lies between the rest shape and the image: the singular values s(t) of the Jacobian from the reference to
-/// the image, t = 0 for the image itself, t = 1 for the rest shape.
+/// How a progressive reference lies between the rest shape and the image: the singular values s(t) of the Jacobian from the
+/// reference to the image, t = 0 for the image itself, t = 1 for the rest shape.
 enum class Interpolation
 {
   exponential, ///< s_i^t (Liu et al. 2018, equation 7)
@@ -32,11 +32,12 @@ enum class Interpolation
 };
 
 /// \ingroup PkgFlipFreeMapsReferences
-/// Progressive references (Liu, Ye, Ni and Fu 2018, sections 3.3 to 3.6): while elements are badly distorted, each iteration measures
-/// against elements between those at rest and their images, chosen such that no distortion exceeds a bound K, and all elements count
-/// alike. The rest shape takes over for the rest of the run as soon as all elements have a distortion of at most K (algorithm 1), or the mean
-/// distortion decreased by less than a hundredth in one iteration. Section 3.6 is content with 99 % of the elements; the few others throttle
-/// the first steps towards the rest shape then. Distortion is the symmetric Dirichlet energy, whatever energy is minimised.
+/// Progressive references (Liu, Ye, Ni and Fu 2018, sections 3.3 to 3.6): while elements are badly distorted, each iteration
+/// measures against elements between those at rest and their images, chosen such that no distortion exceeds a bound K, and all
+/// elements count alike. The rest shape takes over for the rest of the run as soon as all elements have a distortion of at most K
+/// (algorithm 1), or the mean distortion decreased by less than a hundredth in one iteration. Section 3.6 is content with 99 % of
+/// the elements; the few others throttle the first steps towards the rest shape then. Distortion is the symmetric Dirichlet
+/// energy, whatever energy is minimised.
 ///
 /// \cgalModels{Reference}
 class Progressive_reference

@@ -31,20 +31,21 @@ struct Cut_options
 
   /// See `Branches`. Pieces that are disks already are left as they are, see `cut_disks`.
   Branches branches = Branches::extremities;
-  /// `Branches::extremities`: branches are added to a piece until the mean symmetric Dirichlet energy expected of its map (an isometry has 1)
-  /// is at most this.
+  /// `Branches::extremities`: branches are added to a piece until the mean symmetric Dirichlet energy expected of its map (an
+  /// isometry has 1) is at most this.
   double target_energy = 1.2;
-  /// `Branches::farthest_points`: the points of each piece, at least 2. Otherwise the most points of each piece, 0 for no limit; spheres get two
-  /// at least.
+  /// `Branches::farthest_points`: the points of each piece, at least 2. Otherwise the most points of each piece, 0 for no limit;
+  /// spheres get two at least.
   int number_of_points = 0;
-  /// Whether all borders of a component are joined by seams, so that the pieces are disks. Otherwise the pieces are disks with holes.
+  /// Whether all borders of a component are joined by seams, so that the pieces are disks.
+  /// Otherwise the pieces are disks with holes.
   bool join_borders = true;
   /// Whether pieces that are disks from the beginning, or after the user's seams, get branches, too.
   bool cut_disks = false;
   /// The cost of a seam per length on a feature edge, where it is 1 elsewhere; in (0, 1].
   double feature_cost = 0.25;
-  /// How much seams follow creases and folds, rather than being short: an edge across which the surface turns by the angle a costs its length
-  /// over 1 + crease_preference * a / pi. Not negative.
+  /// How much seams follow creases and folds, rather than being short: an edge across which the surface turns by the angle a
+  /// costs its length over 1 + crease_preference * a / pi. Not negative.
   double crease_preference = 1;
 
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.

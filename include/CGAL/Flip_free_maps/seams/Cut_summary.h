@@ -27,13 +27,15 @@ struct Cut_summary
   int components = 0;                     ///< connected components of the mesh
   int borders = 0;                        ///< borders of the mesh, of all components
   int genus = 0;                          ///< handles of the mesh, of all components
-  int pieces = 0;                         ///< connected components of the cut surface; more than `components` where the user's seams part one
+  int pieces = 0;                         ///< connected components of the cut surface;
+                                          ///< more than `components` where the user's seams part one
   int borders_of_pieces = 0;              ///< borders of the cut surface: `pieces` if all of these are disks
   int points = 0;                         ///< extremities, peaks or far points that seams were led to
   std::int64_t user_seam_edges = 0;       ///< seam edges that were there before
   std::int64_t seam_edges = 0;            ///< seam edges, those of the user included; edges on the mesh' border do not count
   double seam_length = 0;                 ///< length of the seam edges, in the units of the mesh
-  double expected_energy = -1;            ///< estimate of the mean symmetric Dirichlet energy of maps of the pieces, -1 where none was made
+  double expected_energy = -1;            ///< estimate of the mean symmetric Dirichlet energy of maps of the pieces,
+                                          ///< -1 where none was made
   double seconds = 0;                     ///< wall-clock seconds
 
   /// `true` when the seams were written.

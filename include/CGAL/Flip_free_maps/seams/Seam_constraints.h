@@ -28,8 +28,8 @@ namespace Flip_free_maps {
 /// A seam on the flat arrays: a chain of edges of the surface that was cut open, each of which the map shows twice.
 struct Seam
 {
-  /// The edges in their order: source and target as seen from the left of the chain, then the same two as seen from its right. The two sides
-  /// share a vertex where the seam ends inside of the surface.
+  /// The edges in their order: source and target as seen from the left of the chain, then the same two as seen from its right.
+  /// The two sides share a vertex where the seam ends inside of the surface.
   std::vector<std::array<std::int32_t, 4>> edges;
   /// Their rest lengths, in the domain's units.
   std::vector<double> lengths;
@@ -45,15 +45,15 @@ struct Seam
 };
 
 /// \ingroup PkgFlipFreeMapsSeams
-/// The term that asks the two sides of each seam s to be related by one linear map T = [a b; -b a], which is a similarity, up to a translation
-/// (Shtengel et al. 2017, section 5.3, equation 27):
+/// The term that asks the two sides of each seam s to be related by one linear map T = [a b; -b a], which is a similarity, up to
+/// a translation (Shtengel et al. 2017, section 5.3, equation 27):
 ///   weight / 2 sum_k |r_k + y_k|^2 / (l_k L), r_k = (v2 - v1) - T (u2 - u1),
 /// over all edges k with rest lengths l_k of sum L, with sides u and v and multipliers y_k; and, if `quarter_turn_weight` is
 /// positive, to be a rotation by a multiple of 90 degrees (equation 28):
 ///   quarter_turn_weight / 2 sum_s (L_s / L) ((a^2 + b^2 - 1)^2 + (a b)^2).
 ///
-/// The pairs (a, b) are unknowns, too: they are the positions of additional vertices without elements, `first_transformation` plus the number of
-/// the seam, which may be fixed like others to prescribe T. The matrix is that of Gauss and Newton.
+/// The pairs (a, b) are unknowns, too: they are the positions of additional vertices without elements, `first_transformation`
+/// plus the number of the seam, which may be fixed like others to prescribe T. The matrix is that of Gauss and Newton.
 class Seam_constraints
   : public Objective_term<2>
 {
@@ -157,7 +157,8 @@ public:
     return largest;
   }
 
-  /// Adds the residuals to the multipliers (method of multipliers: the constraints are met in the limit with the weight as it is).
+  /// Adds the residuals to the multipliers (method of multipliers:
+  /// the constraints are met in the limit with the weight as it is).
   void update_multipliers(const Positions<2>& x)
   {
     for(std::size_t s = 0; s < m_seams.size(); ++s)

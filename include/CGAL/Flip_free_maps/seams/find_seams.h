@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsSeams
-/// The seams of a cut surface: maximal chains of seam edges with the component on both sides. Chains end where other than two of these edges
-/// meet, at the border of the uncut mesh, and at cones, since the sides of one chain turn together.
+/// The seams of a cut surface: maximal chains of seam edges with the component on both sides. Chains end where other than two of
+/// these edges meet, at the border of the uncut mesh, and at cones, since the sides of one chain turn together.
 ///
 /// \tparam SeamMesh must be a `CGAL::Seam_mesh`
 /// \param mesh the cut surface

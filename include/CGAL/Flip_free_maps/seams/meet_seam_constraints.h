@@ -42,7 +42,8 @@ struct Seam_options
   double first_quarter_turn_weight = 1e-5; ///< of the quarter turns in their first run
   double factor = 10;           ///< by which weights are raised, greater than 1
   double largest_weight = 1e8;  ///< at which to give up
-  double cone_curvature = 0.5;  ///< radians by which the angles around a vertex differ from 2 pi where a seam ends, see `find_seams()`
+  double cone_curvature = 0.5;  ///< radians by which the angles around a vertex differ from 2 pi where a seam ends,
+                                ///< see `find_seams()`
 
   /// Checks the ranges; when one is wrong, says so in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
@@ -60,7 +61,8 @@ struct Seam_summary
   : public Summary
 {
   double residual = -1; ///< the greatest residual of a seam's edge, over the length of the seam
-  /// For each seam the (a, b) of T = [a b; -b a], which takes its left side to its right one; a rotation by t has (cos t, -sin t).
+  /// For each seam the (a, b) of T = [a b; -b a], which takes its left side to its right one; a rotation by t has (cos t,
+  /// -sin t).
   std::vector<internal::Vector<2>> transformations;
 };
 
@@ -101,10 +103,10 @@ bool meet(Minimizer& minimizer, Seam_constraints& term, const Seam_options& opti
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsSeams
-/// Optimises a map of a surface that was cut open such that the two sides of each seam fit together. After a run without constraints the
-/// similarities are met first, by the method of multipliers with rising weights. For quarter turns the term of equation 28 (Shtengel et al. 2017,
-/// section 5.3) is then added with weights that rise until each seam is nearer to one of them than 0.05; its rotation is set to that one, and
-/// the now linear constraints are met in the same way.
+/// Optimises a map of a surface that was cut open such that the two sides of each seam fit together. After a run without
+/// constraints the similarities are met first, by the method of multipliers with rising weights. For quarter turns the term of
+/// equation 28 (Shtengel et al. 2017, section 5.3) is then added with weights that rise until each seam is nearer to one of them
+/// than 0.05; its rotation is set to that one, and the now linear constraints are met in the same way.
 ///
 /// \param domain the surface, cut open
 /// \param x a map without flips; on return the result when the summary `is_valid()`, otherwise unchanged
@@ -112,8 +114,8 @@ bool meet(Minimizer& minimizer, Seam_constraints& term, const Seam_options& opti
 /// \param options how they are related
 /// \param traits the method and its settings, for each run
 /// \param rotations prescribed rotations by seam, counterclockwise and in radians, NaN for a free one; or empty
-/// \returns the account of all runs together. The status is `unreachable_constraints` when the residual stays above its tolerance: the
-///   rotations may contradict the topology, a cone of angle 0 for example.
+/// \returns the account of all runs together. The status is `unreachable_constraints` when the residual stays above its
+///   tolerance: the rotations may contradict the topology, a cone of angle 0 for example.
 template <typename Traits = Flip_free_map_traits<>>
 Seam_summary meet_seam_constraints(const Simplicial_domain<2>& domain, Positions<2>& x, const std::vector<Seam>& seams,
                                    const Seam_options& options = Seam_options(), const Traits& traits = Traits(),

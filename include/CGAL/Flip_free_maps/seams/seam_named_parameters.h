@@ -22,7 +22,8 @@ enum Edge_is_feature_map_tag { edge_is_feature_map_tag };
 namespace parameters {
 
 /// \ingroup PkgFlipFreeMapsSeams
-/// The feature edges, which are preferred as seams: a model of `ReadablePropertyMap` with edge descriptors as keys and `bool` as values.
+/// The feature edges, which are preferred as seams:
+/// a model of `ReadablePropertyMap` with edge descriptors as keys and `bool` as values.
 template <typename EdgeIsFeatureMap, typename Base = CGAL::parameters::Default_named_parameters>
 auto edge_is_feature_map(const EdgeIsFeatureMap& map, const Base& base = Base())
 {

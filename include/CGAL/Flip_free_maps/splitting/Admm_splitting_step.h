@@ -38,8 +38,8 @@ struct Split_element
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
-/// The local steps of the splitting scheme of Stein, Li and Solomon 2022 (section 4), an alternating direction method of multipliers
-/// that minimises sum_e A_e psi(P_e) subject to J_e = R_e P_e. The augmented Lagrangian is
+/// The local steps of the splitting scheme of Stein, Li and Solomon 2022 (section 4), an alternating direction method of
+/// multipliers that minimises sum_e A_e psi(P_e) subject to J_e = R_e P_e. The augmented Lagrangian is
 /// sum_e A_e psi(P_e) + mu_e / 2 (|J_e - R_e P_e + L_e|^2 - |L_e|^2). All steps are exact.
 ///
 /// \tparam D dimension, 2 or 3
@@ -64,8 +64,8 @@ public:
   /// "admm_splitting"
   static const char* name() { return "admm_splitting"; }
 
-  /// Splits the Jacobian of an element of measure `measure`: J = R P by polar decomposition, with the sign of the last singular value
-  /// moved to R, L = 0, mu = A. Whether rotations are inert is decided for the whole run.
+  /// Splits the Jacobian of an element of measure `measure`: J = R P by polar decomposition, with the sign of the last singular
+  /// value moved to R, L = 0, mu = A. Whether rotations are inert is decided for the whole run.
   void start(const Matrix& jacobian, double measure, bool inert, Element& element) const
   {
     internal::Signed_svd<D> svd;
@@ -100,9 +100,9 @@ public:
     element.dual += element.jacobian - element.rotation * element.stretch;
   }
 
-  /// All steps of one element after the positions have been solved for: rotation, stretch, dual variable; on request also the penalty. The
-  /// errors are added to `errors`. The penalty of a flipped element rises whatever its errors are: there J = R P matters more than the
-  /// energy.
+  /// All steps of one element after the positions have been solved for: rotation, stretch, dual variable; on request also the
+  /// penalty. The errors are added to `errors`. The penalty of a flipped element rises whatever its errors are: there J = R P
+  /// matters more than the energy.
   void update(const Matrix& jacobian, double measure, bool adapt, bool inert, Element& element, Splitting_errors& errors) const
   {
     const double moved = (jacobian - element.jacobian).squaredNorm();
@@ -123,8 +123,8 @@ public:
       errors.adapted += adapt_penalty(measure, std::sqrt(primal), is_flipped ? 0 : std::sqrt(dual), inert, element);
   }
 
-  /// Raises or lowers the penalty so that the two errors become alike, but not below the bound under which the stretch is known to be
-  /// stable, and scales L so that mu L, the dual variable itself, stays the same. Returns whether the penalty changed.
+  /// Raises or lowers the penalty so that the two errors become alike, but not below the bound under which the stretch is known
+  /// to be stable, and scales L so that mu L, the dual variable itself, stays the same. Returns whether the penalty changed.
   bool adapt_penalty(double measure, double primal, double dual, bool inert, Element& element) const
   {
     double penalty = element.penalty;
@@ -210,8 +210,8 @@ private:
   }
 
   // p(q) = (q + g(q)) / (2 (c + 1)) with g(q) = sqrt(q^2 + k) is applied to a matrix as Newton's interpolation polynomial at its
-  // eigenvalues, which needs no eigenvectors; the divided differences of g have forms that do not cancel. Not where the eigenvalues
-  // differ so much that rounding of the greatest spoils the least.
+  // eigenvalues, which needs no eigenvectors; the divided differences of g have forms that do not cancel. Not where the
+  // eigenvalues differ so much that rounding of the greatest spoils the least.
   static bool symmetric_gradient_in_space(const Matrix& Q, double c, Matrix& P)
   {
     const double mean = Q.trace() / 3;

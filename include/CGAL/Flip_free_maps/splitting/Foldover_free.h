@@ -80,10 +80,10 @@ struct Foldover_free_options
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
-/// Removes flips by the regularised energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov 2021 (Foldover-free maps in 50
-/// lines of code): sum_e A_e (tr(J^T J) / chi(det J)^(2/D) + w (det J^2 + 1) / chi(det J)), chi(d) = (d + sqrt(e^2 + d^2)) / 2,
-/// which is finite on flipped elements and becomes a barrier as e decreases to zero. Each value of e takes some steps of Newton's
-/// method with the positive definite part of the Hessian that their paper gives: chi is replaced by its tangent.
+/// Removes flips by the regularised energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov 2021 (Foldover-free maps
+/// in 50 lines of code): sum_e A_e (tr(J^T J) / chi(det J)^(2/D) + w (det J^2 + 1) / chi(det J)), chi(d) = (d + sqrt(e^2 + d^2))
+/// / 2, which is finite on flipped elements and becomes a barrier as e decreases to zero. Each value of e takes some steps of
+/// Newton's method with the positive definite part of the Hessian that their paper gives: chi is replaced by its tangent.
 ///
 /// Independent of the splitting: another start, another energy, another way.
 ///
@@ -114,8 +114,8 @@ public:
   }
 
   /// Removes the flips of `x`, in the domain's units. The work is added to `summary`; its status is `success`, `flips_remain` or
-  /// `invalid_option`, and `Summary::flips` tells how many flipped elements are left. Returns whether no element is flipped by exact
-  /// predicates; `x` is changed only then.
+  /// `invalid_option`, and `Summary::flips` tells how many flipped elements are left. Returns whether no element is flipped by
+  /// exact predicates; `x` is changed only then.
   bool remove_flips(Positions<D>& x, Summary& summary)
   {
     summary.status = Status::flips_remain;
@@ -205,8 +205,8 @@ private:
     return x.allFinite() ? internal::count_flips<Kernel, Tag>(m_domain, m_schedule, x) : m_domain.number_of_elements();
   }
 
-  // Gradient and positive definite model of the energy as a function of (J, d = det J): d^2 psi / d(J, d)^2 with chi replaced by its
-  // tangent, where psi is jointly convex, and no curvature of det itself.
+  // Gradient and positive definite model of the energy as a function of (J, d = det J): d^2 psi / d(J, d)^2 with chi replaced by
+  // its tangent, where psi is jointly convex, and no curvature of det itself.
   void derivatives(const Matrix& J, double epsilon, Matrix& gradient, Eigen::Matrix<double, D * D, D * D>& hessian) const
   {
     constexpr double a = 2. / D;

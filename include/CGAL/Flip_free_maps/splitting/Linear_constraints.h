@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsSplitting
-/// Linear equations that the positions of the vertices must satisfy: sum_v matrix(i, v) x_v = values.row(i) for all rows i, the same
-/// coefficients for each coordinate. Positions are in the domain's units. Few rows are meant: each costs a solve and |V| numbers.
+/// Linear equations that the positions of the vertices must satisfy: sum_v matrix(i, v) x_v = values.row(i) for all rows i, the
+/// same coefficients for each coordinate. Positions are in the domain's units. Few rows are meant:
+/// each costs a solve and |V| numbers.
 template <int D>
 struct Linear_constraints
 {

@@ -132,12 +132,12 @@ enum class Closed_form
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
-/// What the splitting needs to know of an energy psi beyond `DistortionEnergy`. It is written for f = psi / `scale()`, whose Hessian
-/// at the identity is about that of |J|^2, so that penalties mean the same for all energies.
+/// What the splitting needs to know of an energy psi beyond `DistortionEnergy`. It is written for f = psi / `scale()`, whose
+/// Hessian at the identity is about that of |J|^2, so that penalties mean the same for all energies.
 ///
-/// This general class takes any energy that is convex in the singular values: its proximal map is the energy's own `proximal()` if it
-/// is a model of `ProximalEnergy`, and found by a damped Newton's method otherwise; where psi is not convex, a stationary point. An
-/// `Any_energy` that holds one of the energies with closed forms is treated as that energy.
+/// This general class takes any energy that is convex in the singular values: its proximal map is the energy's own `proximal()`
+/// if it is a model of `ProximalEnergy`, and found by a damped Newton's method otherwise; where psi is not convex, a stationary
+/// point. An `Any_energy` that holds one of the energies with closed forms is treated as that energy.
 template <typename Energy, int D>
 class Proximal_map
 {
@@ -256,8 +256,8 @@ private:
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
-/// The symmetric gradient energy: f = psi, grad f(P) = P - P^-1, the proximal map is the root of a quadratic equation (Stein, Li and
-/// Solomon 2022, eq. 28).
+/// The symmetric gradient energy: f = psi, grad f(P) = P - P^-1, the proximal map is the root of a quadratic equation (Stein, Li
+/// and Solomon 2022, eq. 28).
 template <int D>
 class Proximal_map<Symmetric_gradient, D>
 {

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsSplitting
-/// What an observer of a splitting run is told after every iteration, and once before the first. The `energy` is that of the map if no
-/// element is flipped and infinite otherwise; gradient norms, `step` and `largest_step` are not used.
+/// What an observer of a splitting run is told after every iteration, and once before the first. The `energy` is that of the map
+/// if no element is flipped and infinite otherwise; gradient norms, `step` and `largest_step` are not used.
 struct Splitting_report : Iteration_report
 {
   double primal_error = 0; ///< how far the Jacobians are from their split factors
@@ -39,8 +39,8 @@ enum class Proximal_rotation
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
-/// Settings of `Splitting_minimizer`. Lengths are measured on the mesh scaled to total measure 1, so settings mean the same on every
-/// input.
+/// Settings of `Splitting_minimizer`. Lengths are measured on the mesh scaled to total measure 1, so settings mean the same on
+/// every input.
 struct Splitting_options
 {
   /// The run converges when no element is flipped and both errors, root mean squares over the measure of the mesh, are at most

@@ -78,8 +78,8 @@ inline bool read_whole_file(const std::string& path, std::string& content, std::
   return true;
 }
 
-// Reads a file with a `Reader`: its `read(text)` returns the reason of a failure or the empty string, `mesh()` is the result. `mesh`
-// does not change on failure.
+// Reads a file with a `Reader`: its `read(text)` returns the reason of a failure or the empty string, `mesh()` is the result.
+// `mesh` does not change on failure.
 template <typename Reader, typename Mesh>
 bool read_mesh_with(const std::string& path, Mesh& mesh, std::string* message)
 {
