@@ -22,6 +22,8 @@ namespace Flip_free_maps {
 /// iterations that converge like those with a factorization each. It is made for high accuracy: far from the optimum `Lbfgs`
 /// gains more by a step than conjugate gradients by one of theirs, at the same cost.
 ///
+/// It suits direct linear solvers: an iterative one would as soon solve with the current matrix itself.
+///
 /// Complexity: the assembly of the matrix, and one solve and one product with it for each step of conjugate gradients.
 ///
 /// \cgalModels{Acceleration}
