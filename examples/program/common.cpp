@@ -7,6 +7,7 @@
 
 #include "common.h"
 
+#include <CGAL/Flip_free_maps/IO/volume_files.h>
 #include <CGAL/Flip_free_maps/energies/Aigerman_isometric.h>
 #include <CGAL/Flip_free_maps/energies/Amips.h>
 #include <CGAL/Flip_free_maps/energies/Arap.h>
@@ -75,7 +76,8 @@ void write_json(const std::string& path, const nlohmann::json& json)
   if(path.empty())
     return;
   std::ofstream out(path);
-  out << json.dump(2) << '\n';
+  // Messages quote names of files, which need not be UTF-8.
+  out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   check(bool(out.flush()), "cannot write " + path);
 }
 
@@ -109,11 +111,35 @@ std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygo
 
 namespace {
 
+// CGAL's reader of PLY trusts that each property belongs to an element.
+bool is_header_ordered(std::istream& in)
+{
+  std::string line, word;
+  while(std::getline(in, line)) {
+    word.clear();
+    std::istringstream(line) >> word;
+    if(word == "property")
+      return false;
+    if(word == "element" || word == "end_header")
+      return true;
+  }
+  return true;
+}
+
+} // namespace
+
+bool read_soup(const std::string& path, std::vector<Kernel::Point_3>& points, std::vector<std::vector<std::size_t>>& polygons)
+{
+  std::ifstream in(path, std::ios::binary);
+  check(bool(in), "cannot open " + path);
+  return (FFM::internal::lower_case_extension(path) != ".ply" || is_header_ordered(in)) && CGAL::IO::read_polygon_soup(path, points, polygons);
+}
+
+namespace {
+
 void read_polygons(const std::string& path, Triangles& triangles)
 {
-  if(!std::ifstream(path))
-    throw Failure{Status::file_error, "cannot open " + path};
-  if(!CGAL::IO::read_polygon_soup(path, triangles.points, triangles.polygons))
+  if(!read_soup(path, triangles.points, triangles.polygons))
     throw Failure{Status::file_error, path + " is not an OFF, OBJ, PLY or STL file, or is truncated or malformed: a coordinate may not be "
                                              "a finite number, or a face name a vertex that does not exist"};
   if(triangles.polygons.empty())
@@ -610,6 +636,11 @@ FFM::Textured_mesh textured(const Triangles& triangles, const UV_map& uv, bool u
     const double extent = (std::max)(high[0] - low[0], high[1] - low[1]);
     for(auto& p : result.texture)
       p = {(p[0] - low[0]) / extent, (p[1] - low[1]) / extent};
+    // Scaling rounds, and what is written must be certified.
+    const auto point = [&](int t) { return Kernel::Point_2(result.texture[t][0], result.texture[t][1]); };
+    for(const auto& t : result.texture_triangles)
+      if(CGAL::orientation(point(t[0]), point(t[1]), point(t[2])) != CGAL::LEFT_TURN)
+        throw Failure{Status::result_not_representable, "triangles flip when the texture coordinates are scaled into the unit square"};
   }
   return result;
 }

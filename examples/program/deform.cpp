@@ -8,7 +8,6 @@
 #include "deform.h"
 #include "splitting.h"
 
-#include <CGAL/Flip_free_maps/IO/Handles.h>
 #include <CGAL/Flip_free_maps/IO/volume_files.h>
 #include <CGAL/Flip_free_maps/deform.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
@@ -89,13 +88,19 @@ private:
 
   void deform_planar(Triangles& triangles, FFM::Summary& summary)
   {
+    if(!m_arguments.start.empty() || m_arguments.soft_weight > 0 || m_arguments.tikhonov > 0)
+      throw Failure{Status::invalid_option, "--start, --soft-weight and --tikhonov are for solids"};
     Mesh& mesh = triangles.mesh;
     FFM::Positions<2> points(2, triangles.points.size());
     for(std::size_t i = 0; i < triangles.points.size(); ++i)
       points.col(i) << triangles.points[i].x(), triangles.points[i].y();
+    std::vector<bool> is_used(triangles.points.size(), false);
+    for(const auto& polygon : triangles.polygons)
+      for(const std::size_t v : polygon)
+        is_used[v] = true;
     FFM::Handles<2> read;
     std::string message;
-    check(FFM::read_handles<2>(m_arguments.handles, points, read, &message), message);
+    check(FFM::read_handles<2>(m_arguments.handles, points, read, &message, is_used), message);
     std::vector<std::pair<Vertex, Kernel::Point_2>> handles;
     for(std::size_t i = 0; i < read.vertices.size(); ++i)
       handles.emplace_back(Vertex(read.vertices[i]), Kernel::Point_2(read.targets(0, i), read.targets(1, i)));
@@ -120,18 +125,22 @@ private:
     FFM::Textured_mesh layout;
     for(const auto face : mesh.faces())
       distortion.push_back(distortion_map[face]);
+    // Vertices of no triangle stay where they are, and out of the picture.
+    std::vector<int> numbers(triangles.points.size(), -1);
     for(const auto v : mesh.vertices())
-      layout.texture.push_back({result[v].x(), result[v].y()});
+      if(is_used[v]) {
+        numbers[v] = static_cast<int>(layout.texture.size());
+        layout.texture.push_back({result[v].x(), result[v].y()});
+        triangles.points[v] = Kernel::Point_3(result[v].x(), result[v].y(), triangles.points[v].z());
+      }
     for(const auto& polygon : triangles.polygons)
-      layout.texture_triangles.push_back({static_cast<int>(polygon[0]), static_cast<int>(polygon[1]), static_cast<int>(polygon[2])});
+      layout.texture_triangles.push_back({numbers[polygon[0]], numbers[polygon[1]], numbers[polygon[2]]});
     write_pictures(m_arguments.pictures, m_arguments.input, layout, distortion, summary);
-    if(m_arguments.output.empty())
-      return;
-    const double z = triangles.points.front().z();
-    for(const auto v : mesh.vertices())
-      triangles.points[v] = Kernel::Point_3(result[v].x(), result[v].y(), z);
-    check(CGAL::IO::write_polygon_soup(m_arguments.output, triangles.points, triangles.polygons, CGAL::parameters::stream_precision(17)),
-          "cannot write " + m_arguments.output);
+    // Binary STL has single precision, in which the certificate is lost.
+    if(!m_arguments.output.empty())
+      check(CGAL::IO::write_polygon_soup(m_arguments.output, triangles.points, triangles.polygons,
+                                         CGAL::parameters::stream_precision(17).use_binary_mode(false)),
+            "cannot write " + m_arguments.output);
   }
 
   Deform_arguments m_arguments;

@@ -12,6 +12,7 @@
 
 #include "common.h"
 
+#include <CGAL/Flip_free_maps/IO/Handles.h>
 #include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 
@@ -29,6 +30,9 @@ struct Deform_arguments
 
 // Fills a closed surface with tetrahedra.
 FFM::Tetrahedral_mesh tetrahedralized(const Mesh& surface, double cell_size);
+
+// Handles by the numbers of the vertices in the file of the solid, which may have vertices of no tetrahedron.
+FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume);
 
 // Deforms a solid, writes it and draws it.
 void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh, FFM::Summary& summary);

@@ -8,7 +8,6 @@
 #include "deform.h"
 #include "splitting.h"
 
-#include <CGAL/Flip_free_maps/IO/Handles.h>
 #include <CGAL/Flip_free_maps/IO/Surface_picture.h>
 #include <CGAL/Flip_free_maps/IO/VTU.h>
 #include <CGAL/Flip_free_maps/IO/volume_files.h>
@@ -65,6 +64,20 @@ void draw(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& before
 
 } // namespace
 
+FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume)
+{
+  FFM::Positions<3> points(3, mesh.points.size());
+  std::vector<bool> is_used(mesh.points.size());
+  for(std::size_t v = 0; v < mesh.points.size(); ++v) {
+    points.col(v) = Eigen::Map<const Eigen::Vector3d>(mesh.points[v].data());
+    is_used[v] = volume.number(v) >= 0;
+  }
+  FFM::Handles<3> handles;
+  std::string message;
+  check(FFM::read_handles<3>(path, points, handles, &message, is_used), message);
+  return handles;
+}
+
 void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh, FFM::Summary& summary)
 {
   if(!arguments.pictures.svg.empty())
@@ -75,16 +88,10 @@ void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh,
   if(status != Status::success)
     throw Failure{status, message};
 
-  // Handles are found among the vertices of tetrahedra; files may hold others.
-  FFM::Positions<3> points(3, volume.vertices().size());
-  for(std::size_t v = 0; v < volume.vertices().size(); ++v)
-    points.col(v) << mesh.points[volume.vertices()[v]][0], mesh.points[volume.vertices()[v]][1], mesh.points[volume.vertices()[v]][2];
-  FFM::Handles<3> read;
-  check(FFM::read_handles<3>(arguments.handles, points, read, &message), message);
+  const FFM::Handles<3> read = read_solid_handles(arguments.handles, mesh, volume);
   std::vector<std::pair<std::size_t, Kernel::Point_3>> handles;
   for(std::size_t i = 0; i < read.vertices.size(); ++i)
-    handles.emplace_back(volume.vertices()[read.vertices[i]],
-                         Kernel::Point_3(read.targets(0, i), read.targets(1, i), read.targets(2, i)));
+    handles.emplace_back(read.vertices[i], Kernel::Point_3(read.targets(0, i), read.targets(1, i), read.targets(2, i)));
 
   std::vector<Kernel::Point_3> result;
   for(const auto& p : mesh.points)

@@ -8,11 +8,8 @@
 #include "deform.h"
 #include "splitting.h"
 
-#include <CGAL/Flip_free_maps/IO/Handles.h>
 #include <CGAL/Flip_free_maps/IO/volume_files.h>
 #include <CGAL/Flip_free_maps/map_volume.h>
-
-#include <CGAL/IO/polygon_soup_io.h>
 
 #include <array>
 #include <cstdint>
@@ -115,20 +112,18 @@ private:
   std::vector<std::int32_t> read_target(const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume,
                                         std::vector<Kernel::Point_3>& result) const
   {
-    std::string message;
     if(FFM::internal::lower_case_extension(m_arguments.handles) == ".handles") {
-      FFM::Positions<3> points(3, volume.vertices().size());
-      for(std::size_t v = 0; v < volume.vertices().size(); ++v)
-        points.col(v) = Eigen::Map<const Eigen::Vector3d>(mesh.points[volume.vertices()[v]].data());
-      FFM::Handles<3> read;
-      check(FFM::read_handles<3>(m_arguments.handles, points, read, &message), message);
-      for(std::size_t i = 0; i < read.vertices.size(); ++i)
-        result[volume.vertices()[read.vertices[i]]] = Kernel::Point_3(read.targets(0, i), read.targets(1, i), read.targets(2, i));
-      return std::vector<std::int32_t>(read.vertices.begin(), read.vertices.end());
+      const FFM::Handles<3> read = read_solid_handles(m_arguments.handles, mesh, volume);
+      std::vector<std::int32_t> boundary;
+      for(std::size_t i = 0; i < read.vertices.size(); ++i) {
+        result[read.vertices[i]] = Kernel::Point_3(read.targets(0, i), read.targets(1, i), read.targets(2, i));
+        boundary.push_back(volume.number(read.vertices[i]));
+      }
+      return boundary;
     }
     std::vector<Kernel::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;
-    check(CGAL::IO::read_polygon_soup(m_arguments.handles, points, faces), "cannot read " + m_arguments.handles);
+    check(read_soup(m_arguments.handles, points, faces), "cannot read " + m_arguments.handles);
     check(points.size() <= mesh.points.size(), m_arguments.handles + " has more vertices than " + m_arguments.input);
     std::vector<std::int32_t> boundary;
     for(std::size_t v = 0; v < points.size(); ++v) {

@@ -132,6 +132,7 @@ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0.5\n3 0 1 2\n' > one.off
   printf '\0\0\300\177\0\0\200\077\0\0\0\0' # NaN 1 0
   printf '\003\0\0\0\0\001\0\0\0\002\0\0\0'
 } > nan.ply
+sed 's/^element vertex/elephant vertex/' sheet.ply > elephant.ply
 # A square frame, a strip that closes after half a turn, a torus less one face, and a long thin tube.
 awk 'BEGIN {
   print "OFF\n8 8 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n2 1 0\n2 2 0\n1 2 0"
@@ -538,6 +539,14 @@ check "no chart is distorted more" awk '
   /"charts"/ { inside = 1 }
   inside && /"energy"/ { ++n; gsub(/[^0-9.e-]/, "", $2); if($2 > 1.01) wrong = 1 }
   END { exit wrong || !n }' atlas.json
+# A unit of length does not matter, though areas in it be 0 or infinite.
+atlas components.off
+mean=$(total atlas.json energy)
+for unit in e-200 e200; do
+  awk -v unit=$unit 'NF == 3 && n++ > 0 { print $1 unit, $2 unit, $3 unit; next } { print }' components.off > unit.off
+  expect 0 unwrap unit.off --json atlas.json
+  check "mean energy at 1$unit" close "$(total atlas.json energy)" "$mean" 1e-9
+done
 atlas handle.off --margin 0.1 --no-rotation --time-limit 0.000001
 check "a limit is valid" test "$(total atlas.json status)" = time_limit
 atlas sheet.off --svg atlas.svg
@@ -670,6 +679,46 @@ expect 17 deform bar.mesh --handles index_3.txt --start no_such_file.mesh
 expect 0 deform bar.mesh --handles index_3.txt --soft-weight 100 -o soft.mesh --json soft.json
 check "soft handles give way" less "$(value soft.json energy)" "$bent"
 
+# Files may hold vertices of no element: they are counted, they are no handles, and they stay where they are.
+{
+  echo OFF; echo "86 128 0"; echo 0.01 0 9; vertices_of bar.off
+  awk 'NF == 4 { print 3, $2 + 1, $3 + 1, $4 + 1 }' bar.off
+} > unused.off
+awk '
+  /Vertices/ { print; getline; print $1 + 1; print 0.02, 0, 0, 0; next }
+  /Tetrahedra/ { tetrahedra = 1; print; getline; print; next }
+  tetrahedra && NF == 5 { print $1 + 1, $2 + 1, $3 + 1, $4 + 1, $5; next }
+  { print }' bar.mesh > unused.mesh
+for dimension in 2 3; do
+  if [ $dimension = 2 ]; then shape=off unused='0.01 0 9'; else shape=mesh unused='0.02 0 0'; fi
+  awk '{ $1 += 1; print }' index_$dimension.txt > shifted.txt
+  for handles in shifted.txt place_$dimension.txt; do
+    rm -f moved.$shape
+    expect 0 deform unused.$shape --handles $handles -o moved.$shape --tolerance 1e-6
+    check "$shape: an unused vertex stays with $handles" test "$(vertices_of moved.$shape | head -n 1)" = "$unused"
+    check "$shape: the others arrive as without it with $handles" test \
+      "$(vertices_of moved.$shape | tail -n +2)" = "$(vertices_of one_bar.$shape)"
+  done
+  expect 17 deform unused.$shape --handles index_$dimension.txt
+  check "$shape: an unused vertex is no handle" grep -q 'vertex 0 is not a vertex of any element' err.txt
+done
+
+# What is for solids is not ignored in the plane.
+for option in '--soft-weight 10' '--start bar.off' '--tikhonov 1'; do
+  expect 16 deform bar.off --handles index_2.txt $option
+done
+
+# Far from the origin single precision holds no shape: STL must be written with all digits.
+{
+  echo OFF; echo "85 128 0"
+  vertices_of bar.off | awk '{ printf "%.17g %.17g %s\n", $1 + 1e8, $2 + 1e8, $3 }'
+  awk 'NF == 4' bar.off
+} > far.off
+awk '{ printf "%d %.17g %.17g\n", $1, $2 + 1e8, $3 + 1e8 }' index_2.txt > far_handles.txt
+expect 0 deform far.off --handles far_handles.txt -o far.stl
+expect 0 parameterize far.stl --json far.json
+check "all triangles of an STL" test "$(value far.json faces)" = 128
+
 # The surface of the bent bar is given; its inside follows.
 # The inner vertices at rest are those with y = z = 1/2 that are not at an end.
 paste -d ' ' <(vertices_of bar.mesh) <(vertices_of one_bar.mesh) | awk '
@@ -733,6 +782,7 @@ done << 'END'
 17 file_error index.off
 17 file_error empty.off
 17 file_error letter.off
+17 file_error elephant.ply
 17 file_error no_such_file.off
 END
 expect 0 parameterize frame.off -o frame.obj --json frame.json
@@ -751,6 +801,25 @@ case $? in
       check "starts that were tried" grep -q 'uniform.*mean_value.*cotangent' tube.json ;;
   *) fail "the tube ends with $(value tube.json status)" ;;
 esac
+
+# What is scaled into the unit square is certified there: a tiny triangle far from another vertex becomes a point.
+# All vertices are on the border and stay in their places.
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n3 0 1 2\n3 0 2 3\n' > tiny.off
+{
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nvt 2 1\nvt 2.0000000000000018 1\nvt 2 1.0000000000000018\nvt -1000 1\n'
+  printf 'f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n'
+} > tiny_start.obj
+expect 0 parameterize tiny.off --start tiny_start.obj --fix-border -o tiny.obj
+expect 0 measure tiny.obj
+rm -f tiny.obj
+expect 15 parameterize tiny.off --start tiny_start.obj --fix-border --unit-square -o tiny.obj
+check "a map that flips in the unit square is not written" test ! -e tiny.obj
+
+# Names of files that are not UTF-8 are quoted in messages.
+latin=$(printf 'Fl\344che.off')
+expect 17 parameterize "$latin" --json latin.json
+check "a report with the name of a file that is not UTF-8" test "$(value latin.json status)" = file_error
+expect 17 unwrap "$latin" --json latin.json
 
 # Files that cannot be written.
 expect 17 parameterize sheet.off -o missing/sheet.obj --json bad.json

@@ -30,11 +30,12 @@ using namespace test_support;
 namespace {
 
 template <int D>
-std::string message_for(const std::string& content, const FFM::Positions<D>& points, FFM::Handles<D>& handles)
+std::string message_for(const std::string& content, const FFM::Positions<D>& points, FFM::Handles<D>& handles,
+                        const std::vector<bool>& may_be_handle = {})
 {
   const Directory directory;
   std::string message = "old";
-  const bool is_read = FFM::read_handles<D>(directory.write("a.handles", content), points, handles, &message);
+  const bool is_read = FFM::read_handles<D>(directory.write("a.handles", content), points, handles, &message, may_be_handle);
   BOOST_TEST(is_read == message.empty());
   return message;
 }
@@ -79,6 +80,34 @@ BOOST_AUTO_TEST_CASE(both_forms)
   BOOST_TEST(message_for<3>("4 5 7 -> 1 2 3\n0 9 8 7\n", points, spatial) == "");
   BOOST_TEST((spatial.vertices == std::vector<std::int32_t>{1, 0}));
   BOOST_TEST((spatial.targets.col(1) == Eigen::Vector3d(9, 8, 7)));
+}
+
+BOOST_AUTO_TEST_CASE(vertices_of_no_element)
+{
+  FFM::Handles<2> handles;
+  const std::vector<bool> may_be_handle = {false, true, false, true};
+  BOOST_TEST(message_for<2>("3 1 1\n0.1 0 -> 2 2\n", square(), handles, may_be_handle) == "");
+  BOOST_TEST((handles.vertices == std::vector<std::int32_t>{3, 1}));
+  BOOST_TEST(message_for<2>("3 1 1\n2 1 1\n", square(), handles, may_be_handle).find("line 2: vertex 2 is not") != std::string::npos);
+  BOOST_TEST((handles.vertices == std::vector<std::int32_t>{3, 1}));
+  BOOST_TEST(message_for<2>("0 0 -> 1 1\n", square(), handles, {false, false, false, false}) != "");
+}
+
+// Squares of such lengths are 0 or infinite.
+BOOST_AUTO_TEST_CASE(nearest_vertex_at_any_magnitude)
+{
+  for(const double unit : {1e-200, 1e200}) {
+    FFM::Handles<2> handles;
+    const FFM::Positions<2> points = unit * square();
+    const std::string text = unit < 1 ? "0.9e-200 0.1e-200 -> 0 0\n" : "0.9e200 0.1e200 -> 0 0\n";
+    BOOST_TEST(message_for<2>(text, points, handles) == "");
+    BOOST_TEST(handles.vertices[0] == nearest<2>(square(), Eigen::Vector2d(0.9, 0.1)));
+    FFM::Handles<3> spatial;
+    FFM::Positions<3> corners(3, 2);
+    corners << 0, 0, 0, 0, 0, unit;
+    BOOST_TEST(message_for<3>(unit < 1 ? "0 0 0.6e-200 -> 1 2 3\n" : "0 0 0.6e200 -> 1 2 3\n", corners, spatial) == "");
+    BOOST_TEST(spatial.vertices[0] == 1);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(nearest_vertex_among_many)

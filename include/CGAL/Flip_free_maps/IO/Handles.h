@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -51,16 +50,20 @@ struct Handles
 
 namespace internal {
 
-// Answers which of the points is nearest to a place, the first one of those at the same distance. Points are sorted along the
-// first axis, and a search goes from the place to both sides until that axis alone is too far.
+// Answers which of the points that may be handles is nearest to a place, the first one of those at the same distance. Points are
+// sorted along the first axis, and a search goes from the place to both sides until that axis alone is too far.
+// Lengths are compared in units of their own magnitude, a power of two, since squares of tiny ones vanish.
 template <int D>
 class Nearest_point
 {
 public:
-  explicit Nearest_point(const Positions<D>& points)
-    : m_points(points), m_order(points.cols())
+  explicit Nearest_point(const Positions<D>& points, const std::vector<bool>& may_be_handle = std::vector<bool>())
+    : m_points(points)
   {
-    std::iota(m_order.begin(), m_order.end(), 0);
+    for(std::int32_t v = 0; v < points.cols(); ++v)
+      if(may_be_handle.empty() || may_be_handle[v])
+        m_order.push_back(v);
+    m_magnitude = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0;
     std::sort(m_order.begin(), m_order.end(), [&points](std::int32_t a, std::int32_t b) { return points(0, a) < points(0, b); });
   }
 
@@ -69,14 +72,16 @@ public:
     const std::size_t size = m_order.size();
     const std::size_t start = std::lower_bound(m_order.begin(), m_order.end(), place[0],
                                 [this](std::int32_t v, double x) { return m_points(0, v) < x; }) - m_order.begin();
+    const double magnitude = (std::max)(m_magnitude, place.cwiseAbs().maxCoeff());
+    const double unit = magnitude > 0 ? std::ldexp(1., -(std::max)(-1000, (std::min)(1000, std::ilogb(magnitude)))) : 1.;
     double least = std::numeric_limits<double>::infinity();
     std::int32_t nearest = -1;
     // Returns whether points further on may still be nearer.
     const auto visit = [&](std::int32_t v) {
-      const double along_axis = m_points(0, v) - place[0];
-      if(along_axis * along_axis > least)
+      const Vector<D> way = unit * m_points.col(v) - unit * place;
+      if(way[0] * way[0] > least)
         return false;
-      const double distance = (m_points.col(v) - place).squaredNorm();
+      const double distance = way.squaredNorm();
       if(nearest < 0 || distance < least || (distance == least && v < nearest)) {
         least = distance;
         nearest = v;
@@ -93,14 +98,15 @@ public:
 private:
   const Positions<D>& m_points;
   std::vector<std::int32_t> m_order;
+  double m_magnitude = 0;
 };
 
 template <int D>
 class Handle_reader
 {
 public:
-  explicit Handle_reader(const Positions<D>& points)
-    : m_points(points), m_nearest(points)
+  Handle_reader(const Positions<D>& points, const std::vector<bool>& may_be_handle)
+    : m_points(points), m_may_be_handle(may_be_handle), m_nearest(points, may_be_handle)
   {}
 
   // Returns the empty string, or what is wrong with the file.
@@ -157,6 +163,8 @@ private:
         return quoted_word(m_words[0]) + " is not the index of a vertex";
       if(index < 0 || index >= m_points.cols())
         return "vertex index " + std::to_string(index) + " is out of range, there are " + std::to_string(m_points.cols()) + " vertices";
+      if(!m_may_be_handle.empty() && !m_may_be_handle[index])
+        return "vertex " + std::to_string(index) + " is not a vertex of any element";
       vertex = static_cast<std::int32_t>(index);
       error = read_place(1, target);
     }
@@ -183,6 +191,7 @@ private:
   }
 
   const Positions<D>& m_points;
+  const std::vector<bool>& m_may_be_handle;
   const Nearest_point<D> m_nearest;
   std::vector<std::string_view> m_words;
   std::vector<std::int32_t> m_vertices;
@@ -209,19 +218,25 @@ private:
   \param points positions of the vertices, column v for the vertex with index v; only finite ones
   \param handles receives the handles, in the order of the lines; they are not changed if the file cannot be read
   \param message if not null, receives the reason of a failure with the number of the line, and the empty string on success
+  \param may_be_handle empty, or for each vertex whether it may be a handle. Files of meshes may hold vertices of no element: these
+         are counted, but a place never means them, and their indices are refused
 
-  \returns `false` if the file cannot be opened or has no handle, if a line is not of one of the forms,
-           an index is out of range, or two lines mean the same vertex
+  \returns `false` if the file cannot be opened or has no handle, if a line is not of one of the forms, an index is out of range or
+           that of a vertex that may not be a handle, or two lines mean the same vertex
+
+  \pre `may_be_handle` is empty, or has as many entries as `points` has columns
 */
 template <int D>
-bool read_handles(const std::string& path, const Positions<D>& points, Handles<D>& handles, std::string* message = nullptr)
+bool read_handles(const std::string& path, const Positions<D>& points, Handles<D>& handles, std::string* message = nullptr,
+                  const std::vector<bool>& may_be_handle = std::vector<bool>())
 {
-  if(points.cols() == 0)
+  if(points.cols() == 0 ||
+     (!may_be_handle.empty() && std::find(may_be_handle.begin(), may_be_handle.end(), true) == may_be_handle.end()))
     return internal::fail(message, "cannot read " + path + ": there are no vertices for handles");
   std::string text;
   if(!internal::read_whole_file(path, text, message))
     return false;
-  internal::Handle_reader<D> reader(points);
+  internal::Handle_reader<D> reader(points, may_be_handle);
   const std::string error = reader.read(text);
   if(!error.empty())
     return internal::fail(message, "cannot read " + path + ": " + error);

@@ -178,7 +178,10 @@ private:
     std::pair<std::int32_t, std::int32_t> overlap;
     if(!summary.is_valid() || find_overlap(open, x, overlap))
       return false;
-    measure(piece, open, x, m_summary.charts[number]);
+    Chart_summary& chart = m_summary.charts[number];
+    const double area = chart.area;
+    measure(piece, open, x, chart);
+    chart.area = area;
     m_charts[number].x.swap(x);
     return true;
   }
@@ -347,7 +350,7 @@ private:
         worst = {energy, static_cast<std::int32_t>(e)};
     }
     const Distortion_report report = measure.report();
-    chart.area = std::ldexp(report.rest_area, 2 * m_exponent);
+    chart.area = report.rest_area; // in the user's units after sort_charts()
     chart.energy = report.energy;
     chart.max_energy = report.max_energy;
     return worst.second;
@@ -430,6 +433,7 @@ private:
     return true;
   }
 
+  // Sorts by areas in the units of `m_points`, since in the user's they may exceed the range of double precision.
   void sort_charts()
   {
     std::vector<std::size_t> order(m_charts.size());
@@ -444,6 +448,10 @@ private:
     }
     m_charts.swap(charts);
     m_summary.charts.swap(summaries);
+    for(Chart_summary& chart : m_summary.charts) {
+      m_areas.push_back(chart.area);
+      chart.area = std::ldexp(chart.area, 2 * m_exponent);
+    }
   }
 
   // Seams are the edges with two images: an edge that was cut alone, at both ends of which the surface is not, has one.
@@ -457,10 +465,8 @@ private:
         chart_of[m_charts[c].faces[e]] = static_cast<std::int32_t>(c);
         elements[m_charts[c].faces[e]] = m_charts[c].elements[e];
       }
-      // Areas may exceed the range of double precision in the user's units.
-      const double part = std::ldexp(m_summary.charts[c].area, -2 * m_exponent);
-      energy += part * m_summary.charts[c].energy;
-      area += part;
+      energy += m_areas[c] * m_summary.charts[c].energy;
+      area += m_areas[c];
     }
     m_summary.energy = energy / area;
     m_summary.seam_edges = 0;
@@ -485,6 +491,7 @@ private:
   const Unwrap_options& m_options;
   std::vector<Image> m_image;                     // of each face in the last map of it
   std::vector<Flat_chart> m_charts;
+  std::vector<double> m_areas;                    // of the charts on the surface, in the units of m_points
   std::int64_t m_faces_done = 0;
   bool m_is_stopped = false;
 };
