@@ -547,7 +547,25 @@ private:
   bool is_certified(Run& run, const Positions<D>& x) const
   {
     const internal::Phase_timer timer(run.summary.seconds.certify);
-    return allows_flips() || flips(x) == 0;
+    return allows_flips() || (flips(x) == 0 && keeps_distance(run.x, x));
+  }
+
+  bool has_barrier() const { return internal::has_barrier(m_traits.energy); }
+
+  // Energies without a barrier draw elements into their collapse. So close to it that the result would not bear being scaled they
+  // come no closer.
+  bool keeps_distance(const Positions<D>& before, const Positions<D>& after) const
+  {
+    if(has_barrier())
+      return true;
+    const double distance = m_objective.singular_value_range(after).first;
+    return distance >= COLLAPSED || distance >= m_objective.singular_value_range(before).first;
+  }
+
+  bool is_element_certified(std::int64_t e, const Positions<D>& x) const
+  {
+    return internal::is_positively_oriented<Kernel>(m_domain.elements[e], x) &&
+           (has_barrier() || internal::signed_singular_values(m_domain.jacobian(e, x))[D - 1] >= COLLAPSED);
   }
 
   // After an attempt that led nowhere: ends the run, or asks for a fresh matrix,
@@ -568,6 +586,11 @@ private:
       finish(run.summary, Status::linear_solver_failed, "the linear solver found no direction");
       return false;
     }
+    if(run.retries >= MAX_RETRIES && !has_barrier() && !allows_flips()) {
+      finish(run.summary, Status::iteration_limit,
+             "elements are about to collapse, which this energy does not prevent, and hold up all steps");
+      return false;
+    }
     if(run.retries >= MAX_RETRIES) {
       finish(run.summary, Status::line_search_failed, "no step decreases the energy, although the gradient does not vanish");
       return false;
@@ -586,7 +609,7 @@ private:
       const internal::Phase_timer timer(run.summary.seconds.line_search);
       m_objective.free_blocked_vertices(
         m_traits.reference, run.displacement, BLOCKED * progress.largest_step,
-        [this](std::int64_t e, const Positions<D>& y) { return internal::is_positively_oriented<Kernel>(m_domain.elements[e], y); },
+        [this](std::int64_t e, const Positions<D>& y) { return is_element_certified(e, y); },
         run.trial);
       found.energy = m_objective.energy(m_traits.reference, run.trial);
     }
@@ -753,6 +776,8 @@ private:
   // Relative stiffness on the diagonal for the rotations, which are in the null space of some preconditioners.
   static constexpr double BASE_SHIFT = 1e-9;
   static constexpr int MAX_RETRIES = 5;
+  // Smallest singular value of elements where no barrier keeps them from collapsing.
+  static constexpr double COLLAPSED = 1e-6;
   // A step below THROTTLED that ends at a collapsing element frees the elements that collapse within BLOCKED times its bound.
   static constexpr double THROTTLED = 0.3;
   static constexpr double BLOCKED = 4;
