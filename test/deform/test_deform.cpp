@@ -237,6 +237,13 @@ BOOST_FIXTURE_TEST_CASE(errors, Fixture)
   result[lonely] = Point_2(77, 77);
   check_refused({{lonely, Point_2(0, 0)}}, FFM::Status::invalid_option, "handle");
 
+  // The same vertex at two places; at one place, told twice, it does no harm.
+  handles = ends(stay, stay);
+  handles.insert(handles.begin(), {right[1], Point_2(14.25, rest(right[1]).y())});
+  check_refused(handles, FFM::Status::invalid_option, "different targets");
+  handles[0] = handles.back();
+  check_valid(run(handles), handles);
+
   Fixture other;
   other.mesh.point(other.vertices[7]) = Mesh::Point(11, -5, 0.3000001);
   other.check_refused(other.ends(stay, stay), FFM::Status::not_planar, "plane");

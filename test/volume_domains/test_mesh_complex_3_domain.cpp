@@ -120,6 +120,14 @@ BOOST_AUTO_TEST_CASE(the_same_tetrahedra_have_the_same_energies_from_every_sourc
   BOOST_TEST_REQUIRE(summary.converged(), summary.message);
   BOOST_TEST(summary.energy > 1.01);
 
+  auto contradictory = handles;
+  contradictory.emplace_back(handles[0].first, handles[1].second);
+  std::unordered_map<Mesh_complex::Vertex_handle, Kernel::Point_3> untouched;
+  const FFM::Summary refused = FFM::deform_volume(domain, contradictory, boost::make_assoc_property_map(untouched), tight_traits());
+  BOOST_TEST((refused.status == Status::invalid_option));
+  BOOST_TEST(refused.message.find("different targets") != std::string::npos);
+  BOOST_TEST(untouched.empty());
+
   // In another order and through a file.
   for(auto c = complex.cells_in_complex_begin(); c != complex.cells_in_complex_end(); ++c)
     mesh.tetrahedra.push_back({numbers.at(c->vertex(0)), numbers.at(c->vertex(1)), numbers.at(c->vertex(2)), numbers.at(c->vertex(3))});

@@ -15,6 +15,7 @@
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/repeated_handles.h>
 #include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 #include <CGAL/Flip_free_maps/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
@@ -22,6 +23,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -57,8 +59,8 @@ public:
   /// The same with soft positions, whose targets are in the domain's units, beside the handles.
   Deformation(Simplicial_domain<D> domain, const Positions<D>& start, const Position_constraints<D>& constraints,
               const Traits& traits = Traits())
-    : m_domain(std::move(domain)), m_handles(constraints.fixed_vertices), m_positions(start),
-      m_minimizer(m_domain, traits, constraints)
+    : m_domain(std::move(domain)), m_handles(constraints.fixed_vertices), m_repeated(internal::repeated_handles(m_handles)),
+      m_positions(start), m_minimizer(m_domain, traits, constraints)
   {
     m_minimizer.options().keep_factorization = true;
     m_x = (start.colwise() - m_domain.origin) / m_domain.scale;
@@ -80,7 +82,8 @@ public:
   /// Moves the handles to `targets`, a column for each, and optimises the shape. On the way there no element flips, however far
   /// the handles go. Handles are exactly at their targets afterwards.
   ///
-  /// \returns what happened; `unreachable_constraints` if no path was found, `non_finite_input` for targets that are no numbers.
+  /// \returns what happened; `unreachable_constraints` if no path was found, `non_finite_input` for targets that are no numbers,
+  ///   `invalid_option` if a handle that is given twice has two targets.
   ///   The shape changes only if the summary `is_valid()`.
   Summary move(const Positions<D>& targets)
   {
@@ -97,6 +100,12 @@ public:
       summary.message = "there must be one target for each handle";
       return;
     }
+    for(const auto& [i, j] : m_repeated)
+      if(targets.col(i) != targets.col(j)) {
+        summary.status = Status::invalid_option;
+        summary.message = internal::TWO_TARGETS;
+        return;
+      }
     Positions<D> all = m_x;
     for(std::size_t i = 0; i < m_handles.size(); ++i)
       if(m_handles[i] >= 0 && m_handles[i] < all.cols())
@@ -127,6 +136,7 @@ public:
 private:
   Simplicial_domain<D> m_domain;
   std::vector<std::int32_t> m_handles;
+  std::vector<std::pair<std::size_t, std::size_t>> m_repeated; // see `repeated_handles()`
   Positions<D> m_positions;
   Positions<D> m_x; // in the domain's units
   Map_minimizer<D, Traits> m_minimizer;
@@ -143,7 +153,7 @@ private:
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a connected triangle mesh in the plane, counterclockwise, with any number of borders
-/// \param handles the handles and their targets
+/// \param handles the handles and their targets; a vertex may be given more than once, with the same target
 /// \param result receives the deformed shape. It is written once, at the end, if the map is valid, and left untouched otherwise.
 /// \param traits the method and its settings
 /// \param np `vertex_point_map`, points in the plane or in space with the same third coordinate; and

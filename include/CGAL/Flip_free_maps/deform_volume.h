@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/repeated_handles.h>
 #include <CGAL/Flip_free_maps/internal/run_within_memory.h>
 
 #include <CGAL/number_utils.h>
@@ -49,7 +50,7 @@ struct Deform_volume_options
 ///
 /// \param volume the rest shape: a loaded `Mesh_complex_3_domain`, `Triangulation_3_domain`,
 ///   `Tetgen_domain` or `Tetrahedral_domain`
-/// \param handles the handles and their targets
+/// \param handles the handles and their targets; a vertex may be given more than once, with the same target unless handles are pulled
 /// \param result receives the deformed positions of all vertices of tetrahedra. It is written once, at the end, if the map is
 ///   valid, and left untouched otherwise; the points of the user's mesh are never moved.
 /// \param traits the method and its settings
@@ -96,6 +97,9 @@ Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handle
       targets.col(v) = volume.to_domain(place);
       exact_places.emplace_back(v, place);
     }
+    for(const auto& [i, j] : internal::repeated_handles(constraints.fixed_vertices))
+      if(exact_places[i].second != exact_places[j].second)
+        return fail(Status::invalid_option, internal::TWO_TARGETS);
     Map_minimizer<3, Traits> minimizer(domain, traits, constraints);
     minimizer.move_fixed_vertices(x, targets, summary);
     if(!summary.is_valid())
