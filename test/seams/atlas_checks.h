@@ -56,9 +56,10 @@ struct Atlas_surface
     user = mesh.add_property_map<Mesh::Edge_index, bool>("e:user", false).first;
   }
 
-  FFM::Unwrap_summary unwrap(const FFM::Unwrap_options& options = FFM::Unwrap_options())
+  FFM::Unwrap_summary unwrap(const FFM::Unwrap_options& options = FFM::Unwrap_options(),
+                             const FFM::Flip_free_map_traits<>& traits = FFM::Flip_free_map_traits<>())
   {
-    return FFM::unwrap(mesh, uv, options,
+    return FFM::unwrap(mesh, uv, options, traits,
                        FFM::parameters::face_chart_map(
                          chart, FFM::parameters::edge_is_seam_map(seam, CGAL::parameters::edge_is_constrained_map(user))));
   }

@@ -226,6 +226,16 @@ BOOST_AUTO_TEST_CASE(limits)
   check_atlas(stopped, summary);
   BOOST_TEST(calls == 4);
   BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::stopped_by_observer));
+
+  // The method's observer ends all charts, too, not only the one that it is asked about.
+  Atlas_surface ended(together(plate_soup(5), ball_soup()));
+  FFM::Flip_free_map_traits<> traits;
+  calls = 0;
+  traits.options.observer = [&calls](const FFM::Iteration_report&) { return ++calls < 2; };
+  summary = ended.unwrap(FFM::Unwrap_options(), traits);
+  check_atlas(ended, summary);
+  BOOST_TEST(calls == 2);
+  BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::stopped_by_observer));
 }
 
 BOOST_AUTO_TEST_CASE(refused)

@@ -250,7 +250,8 @@ private:
     if(traits.options.max_seconds == 0)
       traits.start.multilevel_size = -1;
     traits.options.observer = [this, given = m_traits.options.observer](const Iteration_report& report) {
-      return (!given || given(report)) && report_progress();
+      m_is_stopped = m_is_stopped || (given && !given(report));
+      return report_progress();
     };
     std::vector<Point_2> uv(open.points.cols());
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
