@@ -101,6 +101,29 @@ BOOST_AUTO_TEST_CASE(second_method)
   BOOST_TEST((x.array() == start.array()).all());
 }
 
+// Whoever stops the first method does not wait for the second one, nor for the polish.
+BOOST_AUTO_TEST_CASE(stopped_by_the_observer)
+{
+  const FFM::Simplicial_domain<2> domain = make_domain(patch);
+  const FFM::Positions<2> start = with_flips(domain);
+  FFM::Repair_options options;
+  options.splitting.observer = [](const FFM::Splitting_report& report) { return report.iteration < 1; };
+  FFM::Positions<2> x = start;
+  const FFM::Summary early = FFM::repair_map(domain, x, {}, options, Traits());
+  BOOST_TEST((early.status == FFM::Status::flips_remain));
+  BOOST_TEST(early.iterations == 1);
+  BOOST_TEST(early.message.find("observer") != std::string::npos);
+  BOOST_TEST((x.array() == start.array()).all());
+
+  options.splitting.observer = [](const FFM::Splitting_report& report) { return report.flips > 0; };
+  const FFM::Summary late = FFM::repair_map(domain, x, {}, options, Traits());
+  BOOST_TEST((late.status == FFM::Status::stopped_by_observer));
+  BOOST_TEST(number_of_flips(domain, x) == 0);
+  BOOST_TEST(late.factorizations > 0);
+  FFM::Positions<2> polished = x;
+  BOOST_TEST(FFM::repair_map(domain, polished, {}, FFM::Repair_options(), Traits()).energy < symmetric_dirichlet<2>(domain, x));
+}
+
 BOOST_AUTO_TEST_CASE(fixed_vertices_and_impossible_ones)
 {
   const FFM::Simplicial_domain<2> domain = make_domain(patch);

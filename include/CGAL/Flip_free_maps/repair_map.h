@@ -72,7 +72,8 @@ struct Repair_options
     splitting.max_iterations = 3000;
   }
 
-  /// Settings of the first method, the splitting scheme with the symmetric gradient energy. Its `polish` is not used.
+  /// Settings of the first method, the splitting scheme with the symmetric gradient energy. Its `polish` is not used. When its
+  /// observer returns `false`, neither the second method nor the polish follows.
   Splitting_options splitting;
   /// Settings of the second method, tried when the first has failed.
   Foldover_free_options foldover_free;
@@ -142,10 +143,17 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     const Positions<D> given = result;
 
     using Splitting_traits = internal::Repair_traits<Traits>;
-    Splitting_minimizer<D, Splitting_traits> splitter(domain, Splitting_traits(traits), used, options.splitting);
+    Splitting_options splitting = options.splitting;
+    bool is_stopped = false;
+    if(options.splitting.observer)
+      splitting.observer = [&](const Splitting_report& report) {
+        is_stopped = !options.splitting.observer(report);
+        return !is_stopped;
+      };
+    Splitting_minimizer<D, Splitting_traits> splitter(domain, Splitting_traits(traits), used, splitting);
     splitter.split(result, given, summary);
     summary.start = "splitting, " + std::to_string(summary.iterations) + " iterations";
-    if(summary.status == Status::flips_remain && options.use_second_method) {
+    if(summary.status == Status::flips_remain && options.use_second_method && !is_stopped) {
       const int iterations = summary.iterations;
       result = given;
       Foldover_free<D, Traits>(domain, traits, used, options.foldover_free).remove_flips(result, summary);
@@ -154,7 +162,7 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     if(!summary.is_valid())
       return;
 
-    if(options.polish) {
+    if(options.polish && !is_stopped) {
       const Summary before = summary;
       Positions<D> polished = result;
       Map_minimizer<D, Traits> minimizer(domain, traits, used);

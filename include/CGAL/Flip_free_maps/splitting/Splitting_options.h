@@ -76,7 +76,8 @@ struct Splitting_options
   /// factorization, if that led to a valid map: for fixed vertices that move a little between runs.
   bool keep_factorization = false;
 
-  /// Called before the first and after every iteration; returning `false` stops the run.
+  /// Called before the first and after every iteration; returning `false` stops the run,
+  /// of `repair_map()` as a whole.
   std::function<bool(const Splitting_report&)> observer;
 
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
