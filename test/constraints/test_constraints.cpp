@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(invalid_constraints)
   check_message<2>({{-1}, {}}, "fixed vertex has the number -1");
   check_message<2>({{0, 1000}, {}}, "fixed vertex has the number 1000");
   check_message<2>({{}, {{1000, Eigen::Vector2d(0, 0), 1}}}, "vertex number 1000");
-  check_message<2>({{}, {{3, Eigen::Vector2d(0, nan), 1}}}, "vertex number 3 is not finite");
+  check_message<2>({{}, {{3, Eigen::Vector2d(0, nan), 1}}}, "number 0, of vertex number 3, is not finite");
   for(const double weight : {-1e-9, nan, infinity})
     check_message<2>({{}, {{3, Eigen::Vector2d(0, 0), weight}}}, "weight");
 }

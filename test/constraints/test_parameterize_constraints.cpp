@@ -251,7 +251,7 @@ BOOST_FIXTURE_TEST_CASE(errors, Fixture)
   check_refused(FFP::soft_positions(Soft{{vertices[3], Point_2(nan, 0), 1.}}), FFM::Status::invalid_option, "not finite");
   check_refused(FFP::soft_positions(Soft{{vertices[3], Point_2(0, 0), -1.}}), FFM::Status::invalid_option, "weight");
   const Vertex lonely = mesh.add_vertex(mesh.point(vertices[0]));
-  check_refused(FFP::soft_positions(Soft{{lonely, Point_2(0, 0), 1.}}), FFM::Status::invalid_option, "-1");
+  check_refused(FFP::soft_positions(Soft{{lonely, Point_2(0, 0), 1.}}), FFM::Status::invalid_option, "number 0 is not of a vertex");
 
   const Point_2 kept = start[vertices[60]];
   for(const Point_2& bad : {Point_2(10, 10), Point_2(nan, 0), Point_2(infinity, 0)}) {

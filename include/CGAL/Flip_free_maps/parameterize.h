@@ -146,9 +146,13 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
     if constexpr(internal::Has_parameter<NamedParameters, internal::Soft_positions_tag>::value)
       for(const auto& soft : get_parameter(np, internal::soft_positions_tag)) {
         const auto& p = std::get<1>(soft);
+        const std::int32_t v = graph.number_of(std::get<0>(soft));
+        if(v < 0) {
+          message = "soft position number " + std::to_string(constraints.soft_positions.size()) + " is not of a vertex of a face";
+          return Status::invalid_option;
+        }
         constraints.soft_positions.push_back(
-          {graph.number_of(std::get<0>(soft)),
-           internal::Vector<2>(CGAL::to_double(p[0]), CGAL::to_double(p[1])) / graph.domain().scale, std::get<2>(soft)});
+          {v, internal::Vector<2>(CGAL::to_double(p[0]), CGAL::to_double(p[1])) / graph.domain().scale, std::get<2>(soft)});
       }
     if constexpr(internal::Has_parameter<NamedParameters, internal::Face_weight_map_tag>::value)
       if(!graph.weigh(get_parameter(np, internal::face_weight_map_tag))) {

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/internal/fail.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -50,15 +51,18 @@ struct Position_constraints
       if(v < 0 || v >= number_of_vertices)
         return internal::fail(message, "a fixed vertex has the number " + std::to_string(v) + ", but there are " +
                                          std::to_string(number_of_vertices));
-    for(const Soft_position<D>& soft : soft_positions) {
+    for(std::size_t i = 0; i < soft_positions.size(); ++i) {
+      const Soft_position<D>& soft = soft_positions[i];
+      const auto fail = [&](const std::string& what) { // Users whose vertices have no numbers know the entry.
+        return internal::fail(message, "soft position number " + std::to_string(i) + ", of vertex number " + std::to_string(soft.vertex) +
+                                         ", " + what);
+      };
       if(soft.vertex < 0 || soft.vertex >= number_of_vertices)
-        return internal::fail(message, "a soft position is for vertex number " + std::to_string(soft.vertex) + ", but there are " +
-                                         std::to_string(number_of_vertices));
+        return fail("but there are " + std::to_string(number_of_vertices) + " vertices");
       if(!soft.target.allFinite())
-        return internal::fail(message, "the soft position of vertex number " + std::to_string(soft.vertex) + " is not finite");
+        return fail("is not finite");
       if(!(soft.weight >= 0) || !std::isfinite(soft.weight))
-        return internal::fail(message, "the weight of the soft position of vertex number " + std::to_string(soft.vertex) +
-                                         " is negative or not finite");
+        return fail("has a weight that is negative or not finite");
     }
     return true;
   }
