@@ -40,7 +40,7 @@ namespace Flip_free_maps {
 /// \tparam Energy_ must be a model of `DistortionEnergy`. <b>Default:</b> \code Symmetric_dirichlet \endcode
 /// \tparam Preconditioner_ must be a model of `Preconditioner`. <b>Default:</b> \code Adaptive_preconditioner \endcode
 /// \tparam Reference_ must be a model of `Reference`. <b>Default:</b> \code Fixed_reference \endcode
-/// \tparam LinearSolver_ must be a model of `SymmetricSparseSolver`.
+/// \tparam LinearSolver_ must be a model of `SymmetricSparseSolver` and have a default constructor.
 ///         <b>Default:</b> \code Automatic_solver<Cholmod_solver> \endcode when
 ///         `CGAL_FLIP_FREE_MAPS_USE_CHOLMOD` is defined, \code Eigen_simplicial_solver \endcode otherwise
 /// \tparam Acceleration_ must be a model of `Acceleration`. <b>Default:</b> \code Lbfgs \endcode
