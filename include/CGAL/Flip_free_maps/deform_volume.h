@@ -50,7 +50,7 @@ struct Deform_volume_options
 ///
 /// \param volume the rest shape: a loaded `Mesh_complex_3_domain`, `Triangulation_3_domain`,
 ///   `Tetgen_domain` or `Tetrahedral_domain`
-/// \param handles the handles and their targets; a vertex may be given more than once, with the same target unless handles are pulled
+/// \param handles the handles and their targets; a vertex may be given more than once, but held at one target only
 /// \param result receives the deformed positions of all vertices of tetrahedra. It is written once, at the end, if the map is
 ///   valid, and left untouched otherwise; the points of the user's mesh are never moved.
 /// \param traits the method and its settings
