@@ -9,9 +9,9 @@
 
 #include "bumpy_surface.h"
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -11,10 +11,10 @@
 #include "../support/generated_shapes.h"
 #include "../support/machine.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/internal/Map_objective.h>
-#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
-#include <CGAL/Flip_free_maps/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
 #include <CGAL/Flip_free_maps/preconditioners/Killing.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>

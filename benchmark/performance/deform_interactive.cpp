@@ -15,8 +15,8 @@
 #include "../support/generated_shapes.h"
 #include "../support/machine.h"
 
-#include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/deform.h>
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 
 #include <chrono>
 #include <cmath>

@@ -16,8 +16,8 @@
 #include "../support/generated_shapes.h"
 #include "../support/machine.h"
 
-#include <CGAL/Flip_free_maps/Splitting_map_traits.h>
 #include <CGAL/Flip_free_maps/deform.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
 
 #include <chrono>
 #include <cmath>

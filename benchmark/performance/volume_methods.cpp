@@ -11,10 +11,8 @@
 
 #include "volume_report.h"
 
-#include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/IO/Handles.h>
 #include <CGAL/Flip_free_maps/IO/volume_files.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/constraints/Soft_positions.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/energies/Exponential_amips.h>
@@ -23,6 +21,8 @@
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <CLI/CLI.hpp>
 

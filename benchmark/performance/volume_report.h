@@ -13,7 +13,7 @@
 #include "../support/machine.h"
 #include "../support/svg_plots.h"
 
-#include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <algorithm>
 #include <cmath>

@@ -26,10 +26,10 @@
 #include "../support/generated_shapes.h"
 #include "../support/machine.h"
 
-#include <CGAL/Flip_free_maps/Any_map_traits.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/energies/Neo_hookean.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_arap.h>
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <cmath>
 #include <cstdint>

@@ -13,7 +13,7 @@
 #include "../support/machine.h"
 #include "html_report.h"
 
-#include <CGAL/Flip_free_maps/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>

@@ -19,7 +19,7 @@ factor 1/2 not included: the energy itself gives `stretch` \f$= [\psi_{ij}]\f$.
 
 Further members are optional:
 
-- `void begin_iteration(const CGAL::Flip_free_maps::Run_state& state)`, called before each iteration, lets the form change in the
+- `void begin_iteration(const CGAL::Flip_free_maps::Iteration_state& state)`, called before each iteration, lets the form change in the
   course of a run.
 - `bool can_retreat() const` and `void retreat()`, both or none: a form that may be indefinite is tried as long as
   `can_retreat()`. When the matrix turns out not to be positive definite, or gives no direction of descent, `retreat()` is called

@@ -10,10 +10,10 @@
 #ifndef FLIP_FREE_MAPS_PROGRAM_COMMON_H
 #define FLIP_FREE_MAPS_PROGRAM_COMMON_H
 
-#include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
-#include <CGAL/Flip_free_maps/Status.h>
-#include <CGAL/Flip_free_maps/Summary.h>
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/report/Status.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

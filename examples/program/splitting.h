@@ -12,7 +12,7 @@
 
 #include "common.h"
 
-#include <CGAL/Flip_free_maps/Splitting_map_traits.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
 
 #include <algorithm>
 

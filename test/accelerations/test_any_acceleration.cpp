@@ -14,8 +14,8 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Any_map_traits.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <atomic>
 #include <cstdint>

@@ -14,10 +14,10 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/accelerations/Inexact_newton.h>
 #include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
 #include <Eigen/Cholesky>

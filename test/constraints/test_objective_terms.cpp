@@ -12,7 +12,7 @@
 
 #include "support/constraint_checks.h"
 
-#include <CGAL/Flip_free_maps/internal/Map_objective.h>
+#include <CGAL/Flip_free_maps/minimizer/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/preconditioners/Newton.h>
 
 #include <cstdint>

@@ -13,10 +13,10 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/energies/Any_energy.h>
 #include <CGAL/Flip_free_maps/energies/Arap.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <cmath>
 #include <cstdint>

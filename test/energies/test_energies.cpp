@@ -16,8 +16,8 @@
 #include "support/generated_domains.h"
 
 #include <CGAL/Flip_free_maps/check_derivatives.h>
-#include <CGAL/Flip_free_maps/concepts.h>
-#include <CGAL/Flip_free_maps/internal/energy_members.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_traits.h>
+#include <CGAL/Flip_free_maps/method/concepts.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,9 +12,9 @@
 
 #include "support/generated_domains.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/internal/Map_objective.h>
-#include <CGAL/Flip_free_maps/internal/Triangle_lanes.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_batch.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/internal/Map_objective.h>
 
 #include <array>
 #include <cmath>

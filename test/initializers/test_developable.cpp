@@ -14,7 +14,7 @@
 #include "support/mesh_checks.h"
 
 #include <CGAL/Flip_free_maps/energies/Conformal.h>
-#include <CGAL/Flip_free_maps/internal/adapt_method.h>
+#include <CGAL/Flip_free_maps/initializers/internal/adapt_to_developable.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
 #include <CGAL/squared_distance_2.h>
@@ -112,7 +112,7 @@ Flat flattened(const Surface& surface, const Traits& traits = Traits())
 bool adapts(const Surface& surface)
 {
   Traits traits;
-  FFM::internal::adapt_method(make_domain(surface), traits);
+  FFM::internal::adapt_to_developable(make_domain(surface), traits);
   return traits.preconditioner.uses_killing;
 }
 
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(developable_surfaces_from_coarse_to_fine)
     BOOST_TEST_CONTEXT(surface.first) {
       const FFM::Simplicial_domain<2> domain = make_domain(surface.second);
       Traits traits;
-      FFM::internal::adapt_method(domain, traits);
+      FFM::internal::adapt_to_developable(domain, traits);
       traits.start.unfold = false;
       FFM::Positions<2> x;
       std::string name, message;
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(unfolding_stands_in_for_a_start_only_where_nothing_flips)
   for(double angle : {0.2, 0.9, 2.5}) {
     const FFM::Simplicial_domain<2> domain = make_domain(spherical_cap(angle, 12, 36));
     FFM::Positions<2> x;
-    FFM::internal::unfold(domain, x);
+    FFM::internal::unfold_developable(domain, x);
     const bool usable = FFM::internal::is_unfolded<Traits::Kernel>(domain, x);
     Traits traits;
     traits.start.unfold = true;

@@ -13,8 +13,8 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 
 #include <algorithm>
 #include <array>

@@ -15,9 +15,9 @@
 
 #include "support/generated_domains.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <cmath>
 #include <string>

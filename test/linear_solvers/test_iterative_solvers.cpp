@@ -13,10 +13,10 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Automatic_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <Eigen/Cholesky>
 

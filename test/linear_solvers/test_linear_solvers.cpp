@@ -12,9 +12,9 @@
 
 #include "support/generated_domains.h"
 
-#include <CGAL/Flip_free_maps/Summary.h>
-#include <CGAL/Flip_free_maps/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Robust_solver.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 #include <CGAL/Flip_free_maps/linear_solvers/Cholmod_solver.h>
 #endif

@@ -12,10 +12,10 @@
 
 #include "support/generated_domains.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/internal/Map_objective.h>
-#include <CGAL/Flip_free_maps/internal/Renewed_factorization.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/internal/Map_objective.h>
+#include <CGAL/Flip_free_maps/minimizer/internal/Renewed_factorization.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
 #include <Eigen/Eigenvalues>

@@ -13,11 +13,11 @@
 #include "support/generated_domains.h"
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
-#include <CGAL/Flip_free_maps/internal/Cholmod_factor.h>
-#include <CGAL/Flip_free_maps/internal/Elimination_split.h>
-#include <CGAL/Flip_free_maps/internal/Split_cholesky.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Cholmod_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Cholmod_factor.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Elimination_split.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Split_cholesky.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

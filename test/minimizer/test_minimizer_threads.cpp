@@ -13,7 +13,7 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -13,8 +13,8 @@
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/internal/Map_objective.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
 #include <CGAL/Flip_free_maps/preconditioners/Killing.h>
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>

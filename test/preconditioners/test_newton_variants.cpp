@@ -13,9 +13,9 @@
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/energies/Neo_hookean.h>
-#include <CGAL/Flip_free_maps/internal/Map_objective.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/preconditioners/Newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Vertex_space_newton.h>
@@ -94,7 +94,7 @@ void check_filters(const Energy& energy, const Value& value)
 {
   FFM::Projected_newton clamping, absolute;
   absolute.filter = FFM::Eigenvalue_filter::absolute;
-  absolute.begin_iteration(FFM::Run_state());
+  absolute.begin_iteration(FFM::Iteration_state());
   int indefinite = 0;
   for(const Matrix<D>& J : samples<D>()) {
     const Eigen::MatrixXd hessian = full_matrix<D>(FFM::Newton(), energy, J);
@@ -167,12 +167,12 @@ BOOST_AUTO_TEST_CASE(trust_region_follows_the_model)
   const Eigen::Vector2d s(2.1, 0.3);
   FFM::Projected_newton clamping, absolute, filter;
   absolute.filter = FFM::Eigenvalue_filter::absolute;
-  absolute.begin_iteration(FFM::Run_state());
+  absolute.begin_iteration(FFM::Iteration_state());
   filter.filter = FFM::Eigenvalue_filter::trust_region;
   const Full_matrix<2> clamped = frame_matrix<2>(clamping, energy, s), mirrored = frame_matrix<2>(absolute, energy, s);
   BOOST_TEST((clamped - mirrored).norm() > 0.1);
   const auto takes_absolute_values = [&](double model_ratio) {
-    FFM::Run_state state;
+    FFM::Iteration_state state;
     state.model_ratio = model_ratio;
     filter.begin_iteration(state);
     const Full_matrix<2> form = frame_matrix<2>(filter, energy, s);

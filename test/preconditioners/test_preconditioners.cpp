@@ -373,7 +373,7 @@ BOOST_AUTO_TEST_CASE(slim_newton_gives_slim_up_where_distortion_stays)
   const Full_matrix<2> newton = frame_matrix<2>(FFM::Projected_newton(), energy, distorted);
   FFM::Slim_newton both;
   const auto after = [&](int iteration, double decrease, double fraction) {
-    FFM::Run_state state;
+    FFM::Iteration_state state;
     state.iteration = iteration;
     state.relative_decrease = decrease;
     state.distorted_fraction = [fraction](double) { return fraction; };

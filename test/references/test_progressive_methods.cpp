@@ -15,8 +15,8 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Any_map_traits.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <cmath>
 #include <limits>
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(hybrid_changes_over)
   BOOST_TEST((first - second).norm() > 0.1);
   FFM::Hybrid<> hybrid;
   double asked = 0, fraction = 0.5;
-  FFM::Run_state state;
+  FFM::Iteration_state state;
   state.distorted_fraction = [&](double bound) {
     asked = bound;
     return fraction;

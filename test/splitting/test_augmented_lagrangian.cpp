@@ -13,12 +13,12 @@
 
 #include "support/splitting_checks.h"
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
-#include <CGAL/Flip_free_maps/internal/Element_schedule.h>
-#include <CGAL/Flip_free_maps/internal/Position_solver.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/splitting/Admm_splitting_step.h>
+#include <CGAL/Flip_free_maps/splitting/internal/Position_solver.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -113,7 +113,7 @@ private:
   const FFM::Simplicial_domain<D>& m_domain;
   FFM::Position_constraints<D> m_constraints;
   FFM::Linear_constraints<D> m_none;
-  FFM::internal::Element_schedule m_schedule;
+  FFM::internal::Element_coloring m_schedule;
   Step m_step;
   FFM::Positions<D> m_x;
   std::vector<FFM::Split_element<D>> m_elements;

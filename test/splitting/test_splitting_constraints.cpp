@@ -13,7 +13,7 @@
 #include "support/splitting_checks.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Splitting_minimizer.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -55,7 +55,7 @@ void check_global_step(const FFM::Simplicial_domain<D>& domain, const FFM::Posit
     targets.push_back(random.matrix<D>());
     penalties.push_back(random(0.01, 1));
   }
-  FFM::internal::Element_schedule schedule;
+  FFM::internal::Element_coloring schedule;
   schedule.build(domain.elements, domain.number_of_vertices);
   FFM::internal::Position_solver<D, Traits<>> positions(domain, schedule, constraints, linear);
   Plain_solver plain;

@@ -12,9 +12,9 @@
 
 #include "support/splitting_checks.h"
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
-#include <CGAL/Flip_free_maps/Splitting_minimizer.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
 
 #include <cstdint>
 

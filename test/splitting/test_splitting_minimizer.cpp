@@ -13,10 +13,10 @@
 #include "support/splitting_checks.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
-#include <CGAL/Flip_free_maps/Splitting_map_traits.h>
-#include <CGAL/Flip_free_maps/Splitting_minimizer.h>
 #include <CGAL/Flip_free_maps/deform.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
 
 #include <limits>
 

@@ -13,8 +13,8 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
 #include <cmath>

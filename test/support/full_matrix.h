@@ -10,8 +10,8 @@
 
 // Preconditioners' forms as dense D^2 x D^2 matrices on vec(dJ), columns of dJ stacked.
 
-#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

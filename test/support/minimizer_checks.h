@@ -13,9 +13,9 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
 #include <CGAL/Flip_free_maps/accelerations/Refactorization_rules.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
 #include <cmath>

@@ -8,11 +8,11 @@
 #ifndef CGAL_FLIP_FREE_MAPS_FLIP_FREE_PARAMETERIZER_3_H
 #define CGAL_FLIP_FREE_MAPS_FLIP_FREE_PARAMETERIZER_3_H
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/Summary.h>
-#include <CGAL/Flip_free_maps/internal/flatten.h>
-#include <CGAL/Flip_free_maps/internal/make_start.h>
+#include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Sparse_linear_algebra_solver.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
@@ -219,7 +219,7 @@ public:
     };
 
     const auto vertex_points = get(CGAL::vertex_point, mesh);
-    const Summary summary = internal::flatten(mesh, border_halfedge, vertex_points, uv_map, traits, start);
+    const Summary summary = internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, traits, start);
     if(summary.is_valid())
       for(vertex_descriptor v : written)
         put(vertex_parameterized_map, v, true);

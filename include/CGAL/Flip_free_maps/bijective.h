@@ -12,8 +12,8 @@
 /// The named parameter that asks `parameterize()` for a map that does not overlap itself. It is apart from the others because the
 /// triangulations behind it take time to compile.
 
-#include <CGAL/Flip_free_maps/internal/minimize_bijectively.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/Bijective_minimizer.h>
 
 #include <CGAL/Named_function_parameters.h>
 

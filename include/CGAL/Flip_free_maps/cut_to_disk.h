@@ -8,21 +8,13 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CUT_TO_DISK_H
 #define CGAL_FLIP_FREE_MAPS_CUT_TO_DISK_H
 
-#include <CGAL/Flip_free_maps/internal/cut_planner.h>
-#include <CGAL/Flip_free_maps/internal/cut_surface.h>
-#include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
-#include <CGAL/Flip_free_maps/seams/Cut_options.h>
-#include <CGAL/Flip_free_maps/seams/Cut_summary.h>
-#include <CGAL/Flip_free_maps/seams/seam_named_parameters.h>
+#include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
-
-#include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -75,40 +67,17 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeIsCutMap edge_is_cut, cons
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  Cut_summary summary;
-  const auto run = [&] {
-    const internal::Phase_timer timer(summary.seconds);
-    if(!options.is_valid(&summary.message)) {
-      summary.status = Status::invalid_option;
-      return;
-    }
-    const auto vertex_points =
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
-    const auto is_feature = [&np](const Edge& e) {
-      static_cast<void>(np);
-      static_cast<void>(e);
-      if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_feature_map_tag>::value)
-        return static_cast<bool>(get(get_parameter(np, internal::edge_is_feature_map_tag), e));
-      else
-        return false;
-    };
-    internal::Cut_surface surface;
-    std::vector<Edge> edges;
-    summary.status = internal::load_cut_surface(
-      mesh, vertex_points, [&edge_is_cut](const Edge& e) { return static_cast<bool>(get(edge_is_cut, e)); }, is_feature, surface, edges,
-      summary.message);
-    if(summary.status != Status::success)
-      return;
-    std::vector<char> is_cut;
-    internal::plan_cuts(surface, options, is_cut, summary);
-    if(!summary.is_valid())
-      return;
-    for(std::size_t e = 0; e < edges.size(); ++e)
-      if(is_cut[e])
-        put(edge_is_cut, edges[e], true);
+  const auto vertex_points =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+  const auto is_feature = [&np](const Edge& e) {
+    static_cast<void>(np);
+    static_cast<void>(e);
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_feature_map_tag>::value)
+      return static_cast<bool>(get(get_parameter(np, internal::edge_is_feature_map_tag), e));
+    else
+      return false;
   };
-  internal::run_within_memory(run, summary);
-  return summary;
+  return internal::cut_mesh(mesh, vertex_points, edge_is_cut, is_feature, options);
 }
 
 } // namespace Flip_free_maps

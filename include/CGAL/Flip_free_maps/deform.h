@@ -8,17 +8,17 @@
 #ifndef CGAL_FLIP_FREE_MAPS_DEFORM_H
 #define CGAL_FLIP_FREE_MAPS_DEFORM_H
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
-#include <CGAL/Flip_free_maps/Summary.h>
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/constraints/internal/repeated_handles.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/repeated_handles.h>
-#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
-#include <CGAL/Flip_free_maps/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -119,7 +119,7 @@ public:
     Positions<D> result = (m_domain.scale * x).colwise() + m_domain.origin;
     for(std::size_t i = 0; i < m_handles.size(); ++i)
       result.col(m_handles[i]) = targets.col(i);
-    internal::Element_schedule schedule;
+    internal::Element_coloring schedule;
     schedule.build(m_domain.elements, m_domain.number_of_vertices);
     const std::int64_t flips =
       internal::count_flips<typename Traits::Kernel, typename Traits::Concurrency_tag>(m_domain, schedule, result);
@@ -213,7 +213,7 @@ Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2
     const internal::Phase_timer timer(summary.seconds.certify);
     internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), deformation.positions(), result, summary);
   };
-  internal::run_within_memory(run, summary);
+  internal::catch_out_of_memory(run, summary);
   summary.peak_memory_mb = internal::peak_memory_mb();
   return summary;
 }

@@ -8,14 +8,14 @@
 #ifndef CGAL_FLIP_FREE_MAPS_DEFORM_VOLUME_H
 #define CGAL_FLIP_FREE_MAPS_DEFORM_VOLUME_H
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
-#include <CGAL/Flip_free_maps/Summary.h>
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/constraints/internal/repeated_handles.h>
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/repeated_handles.h>
-#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
+#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/number_utils.h>
 
@@ -110,7 +110,7 @@ Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handle
     if(status != Status::success)
       fail(status, message.c_str());
   };
-  internal::run_within_memory(run, summary);
+  internal::catch_out_of_memory(run, summary);
   summary.peak_memory_mb = internal::peak_memory_mb();
   return summary;
 }

@@ -8,13 +8,13 @@
 #ifndef CGAL_FLIP_FREE_MAPS_MAP_VOLUME_H
 #define CGAL_FLIP_FREE_MAPS_MAP_VOLUME_H
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/Summary.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
+#include <CGAL/Flip_free_maps/initializers/internal/uniform_extension.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/uniform_extension.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/repair_map.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <cstdint>
 #include <new>

@@ -31,6 +31,7 @@ enum Face_weight_map_tag { face_weight_map_tag };
 enum Soft_positions_tag { soft_positions_tag };
 enum Border_is_fixed_tag { border_is_fixed_tag };
 enum Bijective_tag { bijective_tag };
+enum Edge_is_feature_map_tag { edge_is_feature_map_tag };
 
 } // namespace internal
 
@@ -73,6 +74,15 @@ template <typename Base = CGAL::parameters::Default_named_parameters>
 auto border_is_fixed(bool is_fixed, const Base& base = Base())
 {
   return CGAL::Named_function_parameters<bool, internal::Border_is_fixed_tag, Base>(is_fixed, base);
+}
+
+/// \ingroup PkgFlipFreeMapsSeams
+/// The feature edges, which are preferred as seams:
+/// a model of `ReadablePropertyMap` with edge descriptors as keys and `bool` as values.
+template <typename EdgeIsFeatureMap, typename Base = CGAL::parameters::Default_named_parameters>
+auto edge_is_feature_map(const EdgeIsFeatureMap& map, const Base& base = Base())
+{
+  return CGAL::Named_function_parameters<EdgeIsFeatureMap, internal::Edge_is_feature_map_tag, Base>(map, base);
 }
 
 } // namespace parameters

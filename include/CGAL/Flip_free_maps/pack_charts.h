@@ -8,8 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PACK_CHARTS_H
 #define CGAL_FLIP_FREE_MAPS_PACK_CHARTS_H
 
-#include <CGAL/Flip_free_maps/Packing_options.h>
-#include <CGAL/Flip_free_maps/internal/chart_packing.h>
+#include <CGAL/Flip_free_maps/atlas/Packing_options.h>
+#include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
 #include <CGAL/Flip_free_maps/is_bijective.h>
 
 #include <boost/graph/graph_traits.hpp>

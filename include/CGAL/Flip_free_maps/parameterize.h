@@ -8,10 +8,10 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PARAMETERIZE_H
 #define CGAL_FLIP_FREE_MAPS_PARAMETERIZE_H
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/internal/flatten.h>
-#include <CGAL/Flip_free_maps/internal/make_start.h>
+#include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -165,9 +165,9 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
   if constexpr(internal::Has_parameter<NamedParameters, internal::Bijective_tag>::value) {
     auto minimization = get_parameter(np, internal::bijective_tag);
     minimization.keeps_start = internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value;
-    return internal::flatten(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given, minimization);
+    return internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given, minimization);
   } else {
-    return internal::flatten(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given);
+    return internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given);
   }
 }
 

@@ -9,11 +9,11 @@
 #define CGAL_FLIP_FREE_MAPS_PARAMETERIZE_WITH_SEAMS_H
 
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/initializers/internal/adapt_to_developable.h>
+#include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/adapt_method.h>
-#include <CGAL/Flip_free_maps/internal/make_start.h>
-#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
-#include <CGAL/Flip_free_maps/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/seams/find_seams.h>
 #include <CGAL/Flip_free_maps/seams/meet_seam_constraints.h>
 
@@ -59,7 +59,7 @@ Seam_summary parameterize_with_seams(const SeamMesh& mesh, typename boost::graph
       return;
     const Simplicial_domain<2>& domain = graph.domain();
     Traits used = traits;
-    internal::adapt_method(domain, used);
+    internal::adapt_to_developable(domain, used);
     Positions<2> x;
     summary.status = internal::make_start(domain, used, x, summary.start, summary.message);
     if(summary.status != Status::success)
@@ -72,7 +72,7 @@ Seam_summary parameterize_with_seams(const SeamMesh& mesh, typename boost::graph
     x *= domain.scale;
     internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
   };
-  internal::run_within_memory(run, summary);
+  internal::catch_out_of_memory(run, summary);
   summary.seconds.total = seconds;
   summary.cpu_seconds = cpu_seconds;
   return summary;

@@ -8,17 +8,17 @@
 #ifndef CGAL_FLIP_FREE_MAPS_REPAIR_MAP_H
 #define CGAL_FLIP_FREE_MAPS_REPAIR_MAP_H
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
-#include <CGAL/Flip_free_maps/Splitting_minimizer.h>
-#include <CGAL/Flip_free_maps/Summary.h>
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
-#include <CGAL/Flip_free_maps/internal/write_positions.h>
-#include <CGAL/Flip_free_maps/splitting/Foldover_free.h>
+#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/repair/Foldover_free.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -177,7 +177,7 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     }
     x = result;
   };
-  internal::run_within_memory(run, summary);
+  internal::catch_out_of_memory(run, summary);
   summary.peak_memory_mb = internal::peak_memory_mb();
   return summary;
 }

@@ -9,9 +9,9 @@
 #define CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_H
 
 #include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
-#include <CGAL/Flip_free_maps/Status.h>
-#include <CGAL/Flip_free_maps/internal/Closed_surface.h>
-#include <CGAL/Flip_free_maps/internal/fail.h>
+#include <CGAL/Flip_free_maps/internal/error_message.h>
+#include <CGAL/Flip_free_maps/report/Status.h>
+#include <CGAL/Flip_free_maps/tetrahedralization/internal/Closed_surface.h>
 
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>

@@ -11,11 +11,11 @@
 #ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
 
 #include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
-#include <CGAL/Flip_free_maps/Status.h>
-#include <CGAL/Flip_free_maps/internal/Closed_surface.h>
-#include <CGAL/Flip_free_maps/internal/fail.h>
-#include <CGAL/Flip_free_maps/internal/run_apart.h>
-#include <CGAL/Flip_free_maps/internal/tetgen.h>
+#include <CGAL/Flip_free_maps/domains/internal/tetgen.h>
+#include <CGAL/Flip_free_maps/internal/error_message.h>
+#include <CGAL/Flip_free_maps/report/Status.h>
+#include <CGAL/Flip_free_maps/tetrahedralization/internal/Closed_surface.h>
+#include <CGAL/Flip_free_maps/tetrahedralization/internal/run_in_subprocess.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -208,7 +208,7 @@ Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& vo
   std::string bytes;
   int code = 0;
   const internal::Apart_end end =
-    internal::run_apart([&](std::string& result) { return internal::run_tetgen(closed, options, result); }, bytes, code);
+    internal::run_in_subprocess([&](std::string& result) { return internal::run_tetgen(closed, options, result); }, bytes, code);
   if(end == internal::Apart_end::not_started) {
     message = "no process could be started for TetGen";
     return Status::out_of_memory;

@@ -8,12 +8,12 @@
 #ifndef CGAL_FLIP_FREE_MAPS_UNWRAP_H
 #define CGAL_FLIP_FREE_MAPS_UNWRAP_H
 
-#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
-#include <CGAL/Flip_free_maps/Unwrap_options.h>
-#include <CGAL/Flip_free_maps/Unwrap_summary.h>
-#include <CGAL/Flip_free_maps/internal/chart_atlas.h>
-#include <CGAL/Flip_free_maps/internal/run_within_memory.h>
+#include <CGAL/Flip_free_maps/atlas/Unwrap_options.h>
+#include <CGAL/Flip_free_maps/atlas/Unwrap_summary.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_atlas.h>
+#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -195,7 +195,7 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
     }
     atlas.finish();
   };
-  internal::run_within_memory(run, summary);
+  internal::catch_out_of_memory(run, summary);
   return summary;
 }
 

@@ -12,7 +12,7 @@
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
 #include <CGAL/Flip_free_maps/accelerations/Nesterov.h>
 #include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
-#include <CGAL/Flip_free_maps/internal/acceleration_members.h>
+#include <CGAL/Flip_free_maps/accelerations/internal/acceleration_traits.h>
 
 #include <string>
 #include <utility>

@@ -9,7 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CONSTRAINTS_POSITION_CONSTRAINTS_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/internal/fail.h>
+#include <CGAL/Flip_free_maps/internal/error_message.h>
 
 #include <cmath>
 #include <cstddef>

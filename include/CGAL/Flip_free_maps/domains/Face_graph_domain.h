@@ -8,9 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_DOMAINS_FACE_GRAPH_DOMAIN_H
 #define CGAL_FLIP_FREE_MAPS_DOMAINS_FACE_GRAPH_DOMAIN_H
 
-#include <CGAL/Flip_free_maps/Status.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/internal/planar_rest_shape.h>
+#include <CGAL/Flip_free_maps/elements/internal/rest_shape.h>
+#include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_DOMAINS_SIMPLICIAL_DOMAIN_H
 #define CGAL_FLIP_FREE_MAPS_DOMAINS_SIMPLICIAL_DOMAIN_H
 
-#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
+#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
 
 #include <Eigen/Core>
 

@@ -11,7 +11,7 @@
 #ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
 
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
-#include <CGAL/Flip_free_maps/internal/tetgen.h>
+#include <CGAL/Flip_free_maps/domains/internal/tetgen.h>
 
 #include <Eigen/Core>
 

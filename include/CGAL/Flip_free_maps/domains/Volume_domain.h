@@ -8,10 +8,10 @@
 #ifndef CGAL_FLIP_FREE_MAPS_DOMAINS_VOLUME_DOMAIN_H
 #define CGAL_FLIP_FREE_MAPS_DOMAINS_VOLUME_DOMAIN_H
 
-#include <CGAL/Flip_free_maps/Status.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/internal/count_flips.h>
-#include <CGAL/Flip_free_maps/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>

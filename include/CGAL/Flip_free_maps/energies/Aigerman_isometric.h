@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ENERGIES_AIGERMAN_ISOMETRIC_H
 #define CGAL_FLIP_FREE_MAPS_ENERGIES_AIGERMAN_ISOMETRIC_H
 
-#include <CGAL/Flip_free_maps/internal/energy_terms.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_terms.h>
 
 #include <Eigen/Core>
 

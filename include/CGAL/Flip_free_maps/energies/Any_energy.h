@@ -8,9 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ENERGIES_ANY_ENERGY_H
 #define CGAL_FLIP_FREE_MAPS_ENERGIES_ANY_ENERGY_H
 
+#include <CGAL/Flip_free_maps/elements/Increment_form.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
-#include <CGAL/Flip_free_maps/internal/energy_members.h>
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_traits.h>
 
 #include <Eigen/Core>
 

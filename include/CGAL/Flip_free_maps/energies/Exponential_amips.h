@@ -9,7 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ENERGIES_EXPONENTIAL_AMIPS_H
 
 #include <CGAL/Flip_free_maps/energies/Amips.h>
-#include <CGAL/Flip_free_maps/internal/energy_terms.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_terms.h>
 
 #include <Eigen/Core>
 

@@ -8,8 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ENERGIES_NEO_HOOKEAN_H
 #define CGAL_FLIP_FREE_MAPS_ENERGIES_NEO_HOOKEAN_H
 
-#include <CGAL/Flip_free_maps/internal/energy_terms.h>
-#include <CGAL/Flip_free_maps/preconditioners/composite_majorizer.h>
+#include <CGAL/Flip_free_maps/elements/composite_majorizer.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_terms.h>
 
 #include <Eigen/Core>
 

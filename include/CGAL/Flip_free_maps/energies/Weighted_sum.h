@@ -8,8 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ENERGIES_WEIGHTED_SUM_H
 #define CGAL_FLIP_FREE_MAPS_ENERGIES_WEIGHTED_SUM_H
 
-#include <CGAL/Flip_free_maps/internal/energy_members.h>
-#include <CGAL/Flip_free_maps/internal/energy_terms.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_terms.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_traits.h>
 
 #include <Eigen/Core>
 

@@ -8,17 +8,17 @@
 #ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_MULTILEVEL_INITIALIZER_H
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_MULTILEVEL_INITIALIZER_H
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
-#include <CGAL/Flip_free_maps/Status.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
+#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
-#include <CGAL/Flip_free_maps/internal/Element_schedule.h>
-#include <CGAL/Flip_free_maps/internal/Polar_map.h>
-#include <CGAL/Flip_free_maps/internal/Progressive_disk.h>
-#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
-#include <CGAL/Flip_free_maps/internal/Vertex_placement.h>
-#include <CGAL/Flip_free_maps/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/initializers/internal/Polar_map.h>
+#include <CGAL/Flip_free_maps/initializers/internal/Progressive_disk.h>
+#include <CGAL/Flip_free_maps/initializers/internal/Vertex_placement.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <algorithm>
 #include <cmath>
@@ -160,7 +160,7 @@ public:
 private:
   static std::int64_t count_flips(const Simplicial_domain<2>& domain, const Positions<2>& x)
   {
-    internal::Element_schedule schedule;
+    internal::Element_coloring schedule;
     schedule.build(domain.elements, domain.number_of_vertices);
     return internal::count_flips<Kernel, Tag>(domain, schedule, x);
   }

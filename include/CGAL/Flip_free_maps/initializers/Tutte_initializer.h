@@ -8,13 +8,13 @@
 #ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_TUTTE_INITIALIZER_H
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_TUTTE_INITIALIZER_H
 
-#include <CGAL/Flip_free_maps/Status.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/initializers/Start_options.h>
-#include <CGAL/Flip_free_maps/internal/Element_schedule.h>
-#include <CGAL/Flip_free_maps/internal/count_flips.h>
-#include <CGAL/Flip_free_maps/internal/fill_holes.h>
+#include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
+#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/initializers/internal/fill_holes.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/method/Start_options.h>
+#include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -112,7 +112,7 @@ public:
       for(Tutte_weights w : {Tutte_weights::uniform, Tutte_weights::mean_value, Tutte_weights::cotangent})
         if(w != m_options.weights)
           weights.push_back(w);
-    internal::Element_schedule schedule;
+    internal::Element_coloring schedule;
     schedule.build(domain.elements, domain.number_of_vertices);
     const auto count = [&] { return internal::count_flips<Kernel, ConcurrencyTag>(domain, schedule, x); };
     for(Tutte_weights w : weights) {

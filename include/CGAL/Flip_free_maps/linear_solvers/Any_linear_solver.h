@@ -8,8 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_ANY_LINEAR_SOLVER_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_ANY_LINEAR_SOLVER_H
 
-#include <CGAL/Flip_free_maps/internal/linear_solver_members.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/linear_solver_traits.h>
 
 #include <memory>
 #include <string>

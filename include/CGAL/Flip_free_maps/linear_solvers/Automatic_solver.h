@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_AUTOMATIC_SOLVER_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_AUTOMATIC_SOLVER_H
 
-#include <CGAL/Flip_free_maps/internal/available_memory.h>
+#include <CGAL/Flip_free_maps/internal/memory.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 
 #include <cstdint>

@@ -8,10 +8,10 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_H
 
-#include <CGAL/Flip_free_maps/internal/Cholmod_factor.h>
-#include <CGAL/Flip_free_maps/internal/Elimination_split.h>
-#include <CGAL/Flip_free_maps/internal/Split_cholesky.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Cholmod_factor.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Elimination_split.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Split_cholesky.h>
 
 #include <cstdint>
 #include <memory>

@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_ADAPTIVE_PRECONDITIONER_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_ADAPTIVE_PRECONDITIONER_H
 
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/Increment_form.h>
 #include <CGAL/Flip_free_maps/preconditioners/Killing.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
 
@@ -32,7 +32,7 @@ struct Adaptive_preconditioner
   int patience = 30;         ///< iterations after which the Killing operator, not having done, is given up
 
   /// Chooses for the next iteration.
-  void begin_iteration(const Run_state& state)
+  void begin_iteration(const Iteration_state& state)
   {
     uses_killing = uses_killing && state.iteration < patience;
     if(!uses_killing)

@@ -8,11 +8,11 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_ANY_PRECONDITIONER_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_ANY_PRECONDITIONER_H
 
+#include <CGAL/Flip_free_maps/elements/Increment_form.h>
 #include <CGAL/Flip_free_maps/energies/Any_energy.h>
-#include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
 #include <CGAL/Flip_free_maps/preconditioners/Adaptive_preconditioner.h>
 #include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/preconditioners/Iteration_state.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
 
 #include <memory>
@@ -84,7 +84,7 @@ public:
   bool is_planar() const { return m_preconditioner->is_planar(); }
 
   /// Passed on.
-  void begin_iteration(const Run_state& state) { m_preconditioner->begin_iteration(state); }
+  void begin_iteration(const Iteration_state& state) { m_preconditioner->begin_iteration(state); }
 
   /// Passed on.
   bool can_retreat() const { return m_preconditioner->can_retreat(); }
@@ -107,7 +107,7 @@ private:
     virtual const char* name() const = 0;
     virtual bool is_constant() const = 0;
     virtual bool is_planar() const = 0;
-    virtual void begin_iteration(const Run_state& state) = 0;
+    virtual void begin_iteration(const Iteration_state& state) = 0;
     virtual bool can_retreat() const = 0;
     virtual void retreat() = 0;
     virtual void form(const Element_state<2>& state, const Any_energy& energy, Increment_form<2>& form) const = 0;
@@ -122,7 +122,7 @@ private:
     const char* name() const override { return Preconditioner::name(); }
     bool is_constant() const override { return internal::is_constant(preconditioner); }
     bool is_planar() const override { return internal::Is_planar<Preconditioner>::value; }
-    void begin_iteration(const Run_state& state) override { internal::begin_iteration(preconditioner, state); }
+    void begin_iteration(const Iteration_state& state) override { internal::begin_iteration(preconditioner, state); }
     bool can_retreat() const override { return internal::can_retreat(preconditioner); }
     void retreat() override { internal::retreat(preconditioner); }
     void form(const Element_state<2>& state, const Any_energy& energy, Increment_form<2>& form) const override

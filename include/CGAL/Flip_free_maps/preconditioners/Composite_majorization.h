@@ -8,8 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_COMPOSITE_MAJORIZATION_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_COMPOSITE_MAJORIZATION_H
 
-#include <CGAL/Flip_free_maps/internal/energy_members.h>
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/internal/eigenmodes.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_traits.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_HYBRID_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_HYBRID_H
 
-#include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
+#include <CGAL/Flip_free_maps/preconditioners/Iteration_state.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
@@ -43,7 +43,7 @@ struct Hybrid
   double smallest_decrease = 0.1; ///< a step that decreases the energy by less, relatively, asks for the change
 
   /// Changes over when it is time, and informs the one in use.
-  void begin_iteration(const Run_state& state)
+  void begin_iteration(const Iteration_state& state)
   {
     if(state.iteration == 0)
       m_has_changed = false;

@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_KILLING_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_KILLING_H
 
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/Increment_form.h>
 
 #include <algorithm>
 

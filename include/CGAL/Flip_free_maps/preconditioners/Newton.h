@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_NEWTON_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_NEWTON_H
 
+#include <CGAL/Flip_free_maps/elements/internal/eigenmodes.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
 namespace CGAL {
@@ -26,7 +27,7 @@ struct Newton
   static const char* name() { return "plain_newton"; } ///< "plain_newton"
 
   /// Tries the Hessian itself first.
-  void begin_iteration(const Run_state& /* state */) { m_is_projected = false; }
+  void begin_iteration(const Iteration_state& /* state */) { m_is_projected = false; }
 
   /// Whether the Hessian itself is tried in this iteration.
   bool can_retreat() const { return !m_is_projected; }

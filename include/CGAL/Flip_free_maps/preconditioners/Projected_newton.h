@@ -8,39 +8,16 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_PROJECTED_NEWTON_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_PROJECTED_NEWTON_H
 
-#include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
-#include <CGAL/Flip_free_maps/internal/project_to_psd.h>
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/internal/eigenmodes.h>
+#include <CGAL/Flip_free_maps/elements/internal/project_to_psd.h>
+#include <CGAL/Flip_free_maps/preconditioners/Iteration_state.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace CGAL {
 namespace Flip_free_maps {
-
-namespace internal {
-
-// Eigenvalue of the symmetric mode of a pair, with its limit at equal singular values.
-template <int D>
-double symmetric_mode(const Element_state<D>& state, int i, int j)
-{
-  const double difference = state.s[i] - state.s[j];
-  if(std::abs(difference) > 1e-6 * (std::abs(state.s[i]) + std::abs(state.s[j])))
-    return (state.gradient[i] - state.gradient[j]) / difference;
-  return 0.5 * (state.hessian(i, i) + state.hessian(j, j)) - state.hessian(i, j);
-}
-
-// Eigenvalue of the twist mode of a pair, with its limit at opposite singular values, which only flipped elements have.
-template <int D>
-double twist_mode(const Element_state<D>& state, int i, int j)
-{
-  const double sum = state.s[i] + state.s[j];
-  if(std::abs(sum) > 1e-6 * (std::abs(state.s[i]) + std::abs(state.s[j])))
-    return (state.gradient[i] + state.gradient[j]) / sum;
-  return 0.5 * (state.hessian(i, i) + state.hessian(j, j)) + state.hessian(i, j);
-}
-
-} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// What becomes of negative eigenvalues of an element's Hessian.
@@ -72,7 +49,7 @@ struct Projected_newton
   double trust_tolerance = 0.01;                       ///< used by `Eigenvalue_filter::trust_region`
 
   /// Chooses between clamping and absolute values.
-  void begin_iteration(const Run_state& state)
+  void begin_iteration(const Iteration_state& state)
   {
     m_takes_absolute_values = filter == Eigenvalue_filter::absolute ||
                               (filter == Eigenvalue_filter::trust_region && std::abs(state.model_ratio - 1) > trust_tolerance);

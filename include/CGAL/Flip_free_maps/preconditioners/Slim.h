@@ -8,8 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_SLIM_H
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_SLIM_H
 
-#include <CGAL/Flip_free_maps/internal/energy_members.h>
-#include <CGAL/Flip_free_maps/preconditioners/Increment_form.h>
+#include <CGAL/Flip_free_maps/elements/Increment_form.h>
+#include <CGAL/Flip_free_maps/energies/internal/energy_traits.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_SLIM_NEWTON_H
 
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
-#include <CGAL/Flip_free_maps/internal/preconditioner_members.h>
+#include <CGAL/Flip_free_maps/preconditioners/Iteration_state.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
@@ -42,7 +42,7 @@ struct Slim_newton
   double smallest_decrease = 0.1; ///< relative decrease of the energy by a step that improves a map much
 
   /// Finds out whether great distortion is here to stay.
-  void begin_iteration(const Run_state& state)
+  void begin_iteration(const Iteration_state& state)
   {
     const bool is_power_of_two = (state.iteration & (state.iteration - 1)) == 0;
     if(state.iteration == 0)

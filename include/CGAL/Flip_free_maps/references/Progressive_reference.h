@@ -9,8 +9,8 @@
 #define CGAL_FLIP_FREE_MAPS_REFERENCES_PROGRESSIVE_REFERENCE_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
-#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_SEAMS_FIND_SEAMS_H
 
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
-#include <CGAL/Flip_free_maps/internal/angle_sums.h>
+#include <CGAL/Flip_free_maps/initializers/internal/angle_sums.h>
 #include <CGAL/Flip_free_maps/seams/Seam_constraints.h>
 
 #include <CGAL/boost/graph/helpers.h>

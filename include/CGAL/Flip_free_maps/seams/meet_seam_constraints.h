@@ -8,8 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_SEAMS_MEET_SEAM_CONSTRAINTS_H
 #define CGAL_FLIP_FREE_MAPS_SEAMS_MEET_SEAM_CONSTRAINTS_H
 
-#include <CGAL/Flip_free_maps/Map_minimizer.h>
-#include <CGAL/Flip_free_maps/internal/fail.h>
+#include <CGAL/Flip_free_maps/internal/error_message.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/seams/Seam_constraints.h>
 
 #include <algorithm>

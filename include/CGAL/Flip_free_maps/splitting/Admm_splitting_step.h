@@ -8,9 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_ADMM_SPLITTING_STEP_H
 #define CGAL_FLIP_FREE_MAPS_SPLITTING_ADMM_SPLITTING_STEP_H
 
+#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
+#include <CGAL/Flip_free_maps/elements/internal/closest_rotation.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
-#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
-#include <CGAL/Flip_free_maps/internal/closest_rotation.h>
 #include <CGAL/Flip_free_maps/splitting/Proximal_map.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_errors.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>

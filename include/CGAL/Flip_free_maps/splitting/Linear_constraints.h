@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_LINEAR_CONSTRAINTS_H
 #define CGAL_FLIP_FREE_MAPS_SPLITTING_LINEAR_CONSTRAINTS_H
 
-#include <CGAL/Flip_free_maps/internal/fail.h>
+#include <CGAL/Flip_free_maps/internal/error_message.h>
 
 #include <Eigen/SparseCore>
 

@@ -8,11 +8,11 @@
 #ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_PROXIMAL_MAP_H
 #define CGAL_FLIP_FREE_MAPS_SPLITTING_PROXIMAL_MAP_H
 
-#include <CGAL/Flip_free_maps/concepts.h>
+#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
+#include <CGAL/Flip_free_maps/elements/internal/project_to_psd.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
-#include <CGAL/Flip_free_maps/internal/Signed_svd.h>
-#include <CGAL/Flip_free_maps/internal/project_to_psd.h>
+#include <CGAL/Flip_free_maps/method/concepts.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_errors.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 

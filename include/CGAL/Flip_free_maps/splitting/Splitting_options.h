@@ -8,9 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_OPTIONS_H
 #define CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_OPTIONS_H
 
-#include <CGAL/Flip_free_maps/Map_options.h>
-#include <CGAL/Flip_free_maps/internal/check_limits.h>
-#include <CGAL/Flip_free_maps/internal/fail.h>
+#include <CGAL/Flip_free_maps/internal/error_message.h>
+#include <CGAL/Flip_free_maps/internal/option_checks.h>
+#include <CGAL/Flip_free_maps/method/Map_options.h>
 
 #include <cmath>
 #include <functional>

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_SPLITTER_H
+#define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_SPLITTER_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Splits a connected surface of triangles in two or more parts.
+class Chart_splitter
+{
+public:
+  // An inner edge: the triangles on both sides.
+  struct Edge
+  {
+    std::int32_t vertices[2];
+    std::int32_t elements[2];
+  };
+
+  // `neighbors[e][k]` is the triangle across the edge from corner k to corner k + 1, -1 on the border.
+  Chart_splitter(const std::vector<std::array<std::int32_t, 3>>& elements, const std::vector<std::array<std::int32_t, 3>>& neighbors,
+                 const Positions<3>& points)
+    : m_elements(elements), m_neighbors(neighbors), m_points(points)
+  {}
+
+  // Two triangles that are far from each other.
+  std::pair<std::int32_t, std::int32_t> far_apart() const
+  {
+    const std::int32_t first = farthest_from(0);
+    return {first, farthest_from(first)};
+  }
+
+  // A triangle that is as far from the given one as can be.
+  std::int32_t farthest_from(std::int32_t seed) const
+  {
+    const std::vector<double> distances = this->distances(seed);
+    return static_cast<std::int32_t>(std::max_element(distances.begin(), distances.end()) - distances.begin());
+  }
+
+  // Inner edges that part the surface when it is cut along them, somewhere between the two triangles, which must differ: where
+  // the regions that are nearer to either meet, straightened if that is a single line from border to border.
+  std::vector<Edge> separate(std::int32_t a, std::int32_t b) const
+  {
+    const std::vector<double> to_a = distances(a), to_b = distances(b);
+    std::vector<Edge> meeting;
+    for(std::size_t e = 0; e < m_elements.size(); ++e)
+      for(int k = 0; k < 3; ++k) {
+        const std::int32_t other = m_neighbors[e][k];
+        if(other >= 0 && (to_a[e] <= to_b[e]) && !(to_a[other] <= to_b[other]))
+          meeting.push_back({{m_elements[e][k], m_elements[e][(k + 1) % 3]}, {static_cast<std::int32_t>(e), other}});
+      }
+    std::unordered_map<std::int32_t, int> degrees;
+    for(const Edge& edge : meeting)
+      for(const std::int32_t v : edge.vertices)
+        ++degrees[v];
+    std::vector<std::int32_t> ends;
+    bool is_line = true;
+    for(const auto& degree : degrees) {
+      is_line = is_line && degree.second <= 2;
+      if(degree.second == 1)
+        ends.push_back(degree.first);
+    }
+    if(!is_line || ends.size() != 2)
+      return meeting;
+    return shortest_way((std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1]));
+  }
+
+  // The inner edges of a triangle.
+  std::vector<Edge> around(std::int32_t e) const
+  {
+    std::vector<Edge> result;
+    for(int k = 0; k < 3; ++k)
+      if(m_neighbors[e][k] >= 0)
+        result.push_back({{m_elements[e][k], m_elements[e][(k + 1) % 3]}, {e, m_neighbors[e][k]}});
+    return result;
+  }
+
+private:
+  Vector<3> center(std::int32_t e) const
+  {
+    const auto& v = m_elements[e];
+    return (m_points.col(v[0]) + m_points.col(v[1]) + m_points.col(v[2])) / 3;
+  }
+
+  using Entry = std::pair<double, std::int32_t>;
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  // Lengths of ways over the centres of triangles.
+  std::vector<double> distances(std::int32_t seed) const
+  {
+    std::vector<double> result(m_elements.size(), std::numeric_limits<double>::infinity());
+    Queue queue;
+    queue.emplace(0, seed);
+    result[seed] = 0;
+    while(!queue.empty()) {
+      const Entry entry = queue.top();
+      queue.pop();
+      if(entry.first > result[entry.second])
+        continue;
+      for(const std::int32_t e : m_neighbors[entry.second])
+        if(e >= 0) {
+          const double distance = entry.first + (center(e) - center(entry.second)).norm();
+          if(distance < result[e]) {
+            result[e] = distance;
+            queue.emplace(distance, e);
+          }
+        }
+    }
+    return result;
+  }
+
+  // Along inner edges, some of which lead from one end to the other.
+  // Parts that are cut off by a way along the border are parts, too.
+  std::vector<Edge> shortest_way(std::int32_t from, std::int32_t to) const
+  {
+    std::vector<std::vector<std::pair<std::int32_t, Edge>>> ways(m_points.cols());
+    for(std::size_t e = 0; e < m_elements.size(); ++e)
+      for(int k = 0; k < 3; ++k)
+        if(m_neighbors[e][k] > static_cast<std::int32_t>(e)) {
+          const std::int32_t v = m_elements[e][k], w = m_elements[e][(k + 1) % 3];
+          const Edge edge{{v, w}, {static_cast<std::int32_t>(e), m_neighbors[e][k]}};
+          ways[v].emplace_back(w, edge);
+          ways[w].emplace_back(v, edge);
+        }
+    std::vector<double> lengths(m_points.cols(), std::numeric_limits<double>::infinity());
+    std::vector<std::pair<std::int32_t, Edge>> before(m_points.cols());
+    Queue queue;
+    queue.emplace(0, from);
+    lengths[from] = 0;
+    while(!queue.empty() && queue.top().second != to) {
+      const Entry entry = queue.top();
+      queue.pop();
+      const std::int32_t v = entry.second;
+      if(entry.first > lengths[v])
+        continue;
+      for(const auto& way : ways[v]) {
+        const double length = entry.first + (m_points.col(way.first) - m_points.col(v)).norm();
+        if(length < lengths[way.first]) {
+          lengths[way.first] = length;
+          before[way.first] = {v, way.second};
+          queue.emplace(length, way.first);
+        }
+      }
+    }
+    std::vector<Edge> result;
+    for(std::int32_t v = to; v != from; v = before[v].first)
+      result.push_back(before[v].second);
+    return result;
+  }
+
+  const std::vector<std::array<std::int32_t, 3>>& m_elements;
+  const std::vector<std::array<std::int32_t, 3>>& m_neighbors;
+  const Positions<3>& m_points;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_SPLITTER_H

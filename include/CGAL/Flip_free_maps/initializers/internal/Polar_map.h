@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_POLAR_MAP_H
+#define CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_POLAR_MAP_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/initializers/internal/Radial_profile.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// A map of a disk in polar coordinates around its innermost vertex, the pole, for long closed tubes with one open end. A harmonic
+// map of the whole tube shrinks it exponentially, beyond what double precision holds. Here only the coordinates are harmonic:
+// Green's function of the pole, which is linear along a tube, and the angle around the pole, whose increments along edges are
+// single-valued but for a cut of triangles from the pole to the border. The radius is the function of the former for which the
+// symmetric Dirichlet energy is least.
+class Polar_map
+{
+public:
+  // Keeps a reference to the domain.
+  explicit Polar_map(const Simplicial_domain<2>& domain) : m_domain(domain) {}
+
+  // Finds the coordinates and the radii; false where there are none. Complexity:
+  // two factorizations with an unknown for each vertex.
+  template <typename MakeLinearSolver>
+  bool build(MakeLinearSolver&& make_linear_solver)
+  {
+    if(!m_domain.holes.empty() || m_domain.number_of_vertices < 2 * VERTICES_PER_KNOT)
+      return false;
+    build_edges();
+    if(!find_depth(make_linear_solver) || !cut() || !find_angle(make_linear_solver))
+      return false;
+    find_radius();
+    return std::isfinite(m_profile.energy());
+  }
+
+  // The symmetric Dirichlet energy of the map, in the limit of small triangles.
+  double energy() const { return m_profile.energy(); }
+
+  // The map. Its triangles may be flipped where they are not small.
+  void place(Positions<2>& x) const
+  {
+    x.resize(2, m_domain.number_of_vertices);
+    for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v) {
+      const double radius = m_profile.radius(m_depth[v]);
+      x.col(v) << radius * std::cos(m_angle[v]), radius * std::sin(m_angle[v]);
+    }
+  }
+
+private:
+  // Corner 3 e + k is the edge of element e from its vertex k to the next.
+  using Corner = std::int64_t;
+
+  struct Edge
+  {
+    std::int32_t a, b;
+    std::array<Corner, 2> corners; // the second is -1 on the border
+    double turn = 0;               // 2 pi times the number of cuts that are crossed from a to b
+  };
+
+  std::int32_t vertex(std::int64_t e, int k) const { return m_domain.elements[e][k % 3]; }
+
+  void build_edges()
+  {
+    std::vector<std::tuple<std::int32_t, std::int32_t, Corner>> sides;
+    sides.reserve(3 * m_domain.elements.size());
+    for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e)
+      for(int k = 0; k < 3; ++k) {
+        const std::int32_t v = vertex(e, k), w = vertex(e, k + 1);
+        sides.emplace_back((std::min)(v, w), (std::max)(v, w), 3 * e + k);
+      }
+    std::sort(sides.begin(), sides.end());
+    m_edge_of.resize(sides.size());
+    for(const auto& [a, b, corner] : sides) {
+      if(!m_edges.empty() && m_edges.back().a == a && m_edges.back().b == b)
+        m_edges.back().corners[1] = corner;
+      else
+        m_edges.push_back({a, b, {corner, -1}});
+      m_edge_of[corner] = m_edges.size() - 1;
+    }
+  }
+
+  // Twice the dual length of an edge over its length, as far as one triangle contributes: the cotangent of the angle opposite.
+  double cotangent(Corner corner) const
+  {
+    const Matrix<2> edges = m_domain.rest_inverses[corner / 3].inverse();
+    const Vector<2> p[3] = {Vector<2>::Zero(), edges.col(0), edges.col(1)};
+    const int k = static_cast<int>(corner % 3);
+    const Vector<2> a = p[k] - p[(k + 2) % 3], b = p[(k + 1) % 3] - p[(k + 2) % 3];
+    return a.dot(b) / (a[0] * b[1] - a[1] * b[0]);
+  }
+
+  bool is_at_pole(std::int64_t e) const
+  {
+    return vertex(e, 0) == m_pole || vertex(e, 1) == m_pole || vertex(e, 2) == m_pole;
+  }
+
+  // The Laplacian of the vertices whose `is_free` is set, of the triangles that do not touch the pole if there is one. Positive
+  // weights make an embedding likely. Increments by `turn` along edges are moved to the right-hand side.
+  template <typename LinearSolver>
+  bool factorize(const std::vector<char>& is_free, LinearSolver& solver, Eigen::VectorXd& right)
+  {
+    constexpr double SMALLEST_WEIGHT = 0.01;
+    m_unknown.assign(is_free.size(), -1);
+    std::int32_t unknowns = 0;
+    for(std::size_t v = 0; v < is_free.size(); ++v)
+      if(is_free[v])
+        m_unknown[v] = unknowns++;
+    std::vector<std::array<std::int32_t, 2>> pairs;
+    for(const Edge& edge : m_edges)
+      if(is_free[edge.a] && is_free[edge.b])
+        pairs.push_back({m_unknown[edge.a], m_unknown[edge.b]});
+    Block_sparse_matrix matrix;
+    matrix.build_pattern(unknowns, 1, pairs);
+    right.setZero(unknowns);
+    const auto add = [&](std::int32_t i, std::int32_t j, double value) {
+      matrix.add_block(i, j, matrix.slot(i, j), Eigen::Matrix<double, 1, 1>(value));
+    };
+    for(const Edge& edge : m_edges) {
+      if(edge.a == m_pole || edge.b == m_pole)
+        continue;
+      double weight = 0;
+      for(Corner corner : edge.corners)
+        if(corner >= 0 && !is_at_pole(corner / 3))
+          weight += 0.5 * cotangent(corner);
+      weight = (std::max)(weight, SMALLEST_WEIGHT);
+      const std::int32_t i = m_unknown[edge.a], j = m_unknown[edge.b];
+      if(i >= 0) {
+        add(i, i, weight);
+        right[i] += weight * edge.turn;
+      }
+      if(j >= 0) {
+        add(j, j, weight);
+        right[j] -= weight * edge.turn;
+      }
+      if(i >= 0 && j >= 0)
+        add(i, j, -weight);
+    }
+    return solver.analyze_pattern(matrix) && solver.factorize(matrix);
+  }
+
+  void spread(const Eigen::VectorXd& values, Eigen::VectorXd& result) const
+  {
+    result.setZero(m_unknown.size());
+    for(std::size_t v = 0; v < m_unknown.size(); ++v)
+      if(m_unknown[v] >= 0)
+        result[v] = values[m_unknown[v]];
+  }
+
+  // The pole is where a particle that moves at random takes longest to reach the border.
+  // The depth is 0 there and 1 on the border.
+  template <typename MakeLinearSolver>
+  bool find_depth(MakeLinearSolver&& make_linear_solver)
+  {
+    std::vector<char> is_free(m_domain.number_of_vertices, 1);
+    for(std::int32_t v : m_domain.border)
+      is_free[v] = 0;
+    auto solver = make_linear_solver();
+    Eigen::VectorXd right, left;
+    if(!factorize(is_free, solver, right) || right.size() == 0)
+      return false;
+    for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e)
+      for(std::int32_t v : m_domain.elements[e])
+        if(is_free[v])
+          right[m_unknown[v]] += m_domain.measures[e];
+    if(!solver.solve(right, left))
+      return false;
+    spread(left, m_depth);
+    m_depth.maxCoeff(&m_pole);
+    right = Eigen::VectorXd::Unit(right.size(), m_unknown[m_pole]);
+    if(!solver.solve(right, left))
+      return false;
+    spread(left / left[m_unknown[m_pole]], m_depth);
+    m_depth = 1 - m_depth.array();
+    return m_depth.allFinite();
+  }
+
+  // Crosses the edges of a shortest strip of triangles from the pole to the border.
+  bool cut()
+  {
+    const auto cross = [this](std::int64_t e, Corner corner) {
+      Edge& edge = m_edges[m_edge_of[corner]];
+      edge.turn = vertex(e, static_cast<int>(corner % 3)) == edge.a ? 2 * CGAL_PI : -2 * CGAL_PI;
+    };
+    constexpr Corner UNKNOWN = -2, FIRST = -1;
+    std::vector<Corner> entrance(m_domain.elements.size(), UNKNOWN); // seen from the triangle before
+    std::vector<std::int64_t> queue;
+    for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e)
+      if(is_at_pole(e)) {
+        entrance[e] = FIRST;
+        queue.push_back(e);
+      }
+    for(std::size_t i = 0; i < queue.size(); ++i)
+      for(Corner corner = 3 * queue[i]; corner < 3 * queue[i] + 3; ++corner) {
+        const auto& corners = m_edges[m_edge_of[corner]].corners;
+        if(corners[1] < 0) {
+          for(Corner c = corner; c != FIRST; c = entrance[c / 3])
+            cross(c / 3, c);
+          return true;
+        }
+        const std::int64_t next = (corners[0] == corner ? corners[1] : corners[0]) / 3;
+        if(entrance[next] == UNKNOWN) {
+          entrance[next] = corner;
+          queue.push_back(next);
+        }
+      }
+    return false;
+  }
+
+  template <typename MakeLinearSolver>
+  bool find_angle(MakeLinearSolver&& make_linear_solver)
+  {
+    // Any vertex may have angle 0.
+    std::vector<char> is_free(m_domain.number_of_vertices, 1);
+    is_free[m_pole] = is_free[m_domain.border.front()] = 0;
+    auto solver = make_linear_solver();
+    Eigen::VectorXd right, left;
+    if(!factorize(is_free, solver, right) || !solver.solve(right, left))
+      return false;
+    spread(left, m_angle);
+    return m_angle.allFinite();
+  }
+
+  // The increment of the angle along an edge of an element.
+  double turn(Corner corner) const
+  {
+    const Edge& edge = m_edges[m_edge_of[corner]];
+    const double increment = m_angle[edge.b] - m_angle[edge.a] + edge.turn;
+    return vertex(corner / 3, static_cast<int>(corner % 3)) == edge.a ? increment : -increment;
+  }
+
+  void find_radius()
+  {
+    std::vector<double> depths(m_depth.data(), m_depth.data() + m_depth.size());
+    std::sort(depths.begin(), depths.end());
+    m_profile.set_knots(depths, depths.size() / VERTICES_PER_KNOT);
+    for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e) {
+      const Matrix<2> gradients = m_domain.rest_inverses[e].transpose();
+      const Vector<3> depth(m_depth[vertex(e, 0)], m_depth[vertex(e, 1)], m_depth[vertex(e, 2)]);
+      const Vector<2> along = gradients * Vector<2>(depth[1] - depth[0], depth[2] - depth[0]);
+      const double weight = m_domain.measures[e];
+      m_profile.add_radial(depth.mean(), weight, along.squaredNorm());
+      if(is_at_pole(e))
+        continue;
+      const Vector<3> turns(turn(3 * e), turn(3 * e + 1), turn(3 * e + 2));
+      m_profile.add_tangential(depth.mean(), weight, (gradients * Vector<2>(turns[0], -turns[2])).squaredNorm());
+      // A side that spans the angle t lies inside its circle by up to r t^2 / 8, and flat triangles would be flipped where radii
+      // grow less. To third order the doubled area is r^2 (growth * area in coordinates - product of the turns / 2).
+      const double area = (depth[1] - depth[0]) * -turns[2] - (depth[2] - depth[0]) * turns[0];
+      if(area > 0)
+        m_profile.add_growth(depth.minCoeff(), depth.maxCoeff(), 0.5 * turns.prod() / area);
+    }
+    m_profile.optimize();
+  }
+
+  static constexpr std::int32_t VERTICES_PER_KNOT = 24;
+
+  const Simplicial_domain<2>& m_domain;
+  std::vector<Edge> m_edges;
+  std::vector<std::size_t> m_edge_of; // corners
+  std::vector<std::int32_t> m_unknown;
+  std::int32_t m_pole = -1;
+  Eigen::VectorXd m_depth, m_angle;
+  Radial_profile m_profile;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_POLAR_MAP_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_ROBUST_SOLVER_H
+#define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_ROBUST_SOLVER_H
+
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/linear_solver_traits.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// A linear solver that does not give up: when the factorization fails, Eigen's LDL^T is tried on the same matrix, then a growing
+// multiple of the diagonal is added. All work is entered into a Summary.
+template <typename LinearSolver>
+class Robust_solver
+{
+public:
+  explicit Robust_solver(LinearSolver& solver) : m_solver(solver) {}
+
+  Robust_solver(LinearSolver& solver, Summary& summary) : m_solver(solver), m_summary(&summary) {}
+
+  // Work is entered into `summary` from now on.
+  void set_summary(Summary& summary)
+  {
+    m_summary = &summary;
+    report();
+  }
+
+  bool analyze_pattern(const Block_sparse_matrix& matrix)
+  {
+    const Phase_timer timer(m_summary->seconds.analyze);
+    if(!m_solver.analyze_pattern(matrix) && !analyze_fallback(matrix))
+      return false;
+    report();
+    return true;
+  }
+
+  // Factorizes the matrix as it is, once.
+  bool try_to_factorize(const Block_sparse_matrix& matrix)
+  {
+    const Phase_timer timer(m_summary->seconds.factorize, &m_summary->factorize_cpu_seconds);
+    ++m_summary->factorizations;
+    m_fallback_is_current = false;
+    return m_solver.factorize(matrix);
+  }
+
+  // Adds `shift` times the diagonal and factorizes.
+  bool factorize(Block_sparse_matrix& matrix, double shift)
+  {
+    add_to_diagonal(matrix, shift);
+    if(factorize_once(matrix))
+      return true;
+    for(double s = (std::max)(1e-8, 10 * shift); s <= 1e4; s *= 10) {
+      add_to_diagonal(matrix, s);
+      if(factorize_once(matrix))
+        return true;
+    }
+    return false;
+  }
+
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+  {
+    const Phase_timer timer(m_summary->seconds.solve);
+    ++m_summary->linear_solves;
+    if(m_fallback_is_current)
+      return m_fallback->solve(b, x);
+    const bool solved = m_solver.solve(b, x);
+    m_summary->inner_iterations += inner_iterations(m_solver);
+    return solved;
+  }
+
+private:
+  void report()
+  {
+    m_summary->linear_solver = m_solver.name();
+    m_summary->ordering = m_solver.ordering();
+    m_summary->factor_entries = m_solver.factor_entries();
+    if(m_fallback != nullptr)
+      m_summary->linear_solver += ", then " + m_fallback->name();
+  }
+
+  bool analyze_fallback(const Block_sparse_matrix& matrix)
+  {
+    if(m_fallback == nullptr) {
+      m_fallback = std::make_unique<Eigen_simplicial_solver>();
+      if(!m_fallback->analyze_pattern(matrix))
+        return false;
+    }
+    return true;
+  }
+
+  bool factorize_once(const Block_sparse_matrix& matrix)
+  {
+    if(try_to_factorize(matrix)) {
+      report();
+      return true;
+    }
+    {
+      const Phase_timer timer(m_summary->seconds.analyze);
+      if(!analyze_fallback(matrix))
+        return false;
+    }
+    const Phase_timer timer(m_summary->seconds.factorize, &m_summary->factorize_cpu_seconds);
+    ++m_summary->factorizations;
+    m_fallback_is_current = m_fallback->factorize(matrix);
+    report();
+    return m_fallback_is_current;
+  }
+
+  static void add_to_diagonal(Block_sparse_matrix& matrix, double shift)
+  {
+    for(Block_sparse_matrix::Index i = 0; i < matrix.rows(); ++i)
+      matrix.diagonal(i) *= 1 + shift;
+  }
+
+  LinearSolver& m_solver;
+  Summary* m_summary = nullptr;
+  std::unique_ptr<Eigen_simplicial_solver> m_fallback;
+  bool m_fallback_is_current = false;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_ROBUST_SOLVER_H

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_HANDLE_GROUPS_H
+#define CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_HANDLE_GROUPS_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
+
+#include <CGAL/number_type_basic.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Handles that share elements are a group, and turn together: on straight lines a group that turns by half a turn would shrink to
+// a point on its way.
+template <int D>
+class Handle_groups
+{
+public:
+  template <typename IsHandle>
+  Handle_groups(const Simplicial_domain<D>& domain, IsHandle&& is_handle)
+  {
+    std::vector<std::int32_t> parent(domain.number_of_vertices);
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&parent](std::int32_t v) {
+      while(parent[v] != v)
+        v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    for(const auto& element : domain.elements) {
+      std::int32_t first = -1;
+      for(std::int32_t v : element) {
+        if(!is_handle(v))
+          continue;
+        if(first >= 0)
+          parent[(std::max)(root(v), root(first))] = (std::min)(root(v), root(first));
+        first = v;
+      }
+    }
+    std::map<std::int32_t, std::vector<std::int32_t>> groups;
+    for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
+      if(is_handle(v))
+        groups[root(v)].push_back(v);
+    for(auto& group : groups)
+      m_groups.push_back(std::move(group.second));
+  }
+
+  // Puts the handles where they are to go.
+  void place(const Positions<D>& targets, Positions<D>& x) const
+  {
+    for(const auto& group : m_groups)
+      for(std::int32_t v : group)
+        x.col(v) = targets.col(v);
+  }
+
+  // Where the handles turn by much as a whole: the shape `x`, turned with them. Isometries cost nothing, and on the ways of the
+  // groups they might have to pass through each other. `false` if that leaves much to turn for one of the groups.
+  bool carry(const Positions<D>& x, const Positions<D>& targets, Positions<D>& carried) const
+  {
+    const Motion whole = motion(all(), x, targets);
+    if(!(whole.angle > LARGEST_TURN))
+      return false;
+    carried = (whole.rotation(1) * (x.colwise() - whole.from)).colwise() + whole.to;
+    for(const auto& group : m_groups)
+      if(!(motion(group, carried, targets).angle <= LARGEST_TURN))
+        return false;
+    return true;
+  }
+
+  // The displacement of the handles from `x` to their targets (`is_last`) or, if a group is to turn by much, to places on the
+  // way. `false` if a target is not finite.
+  bool next_displacement(const Positions<D>& x, const Positions<D>& targets, Positions<D>& displacement, bool& is_last) const
+  {
+    std::vector<Motion> motions;
+    double largest_angle = 0;
+    const Vector<D> centre = motion(all(), x, targets).from;
+    for(const auto& group : m_groups) {
+      motions.push_back(motion(group, x, targets));
+      if(!std::isfinite(motions.back().angle))
+        return false;
+      motions.back().choose_side(centre);
+      largest_angle = (std::max)(largest_angle, motions.back().angle);
+    }
+    is_last = largest_angle <= LARGEST_TURN;
+    const double fraction = is_last ? 1 : LARGEST_TURN / largest_angle;
+    for(std::size_t g = 0; g < m_groups.size(); ++g)
+      for(std::int32_t v : m_groups[g])
+        displacement.col(v) = is_last ? Vector<D>(targets.col(v) - x.col(v))
+                                      : Vector<D>(motions[g].place(x.col(v), targets.col(v), fraction) - x.col(v));
+    return true;
+  }
+
+private:
+  // A rotation around the group's centre, and the translation of the centre.
+  struct Motion
+  {
+    Vector<D> from, to;
+    double angle = 0;         // not negative
+    Vector<3> axis{0, 0, 1};
+
+    Matrix<D> rotation(double fraction) const
+    {
+      return Eigen::AngleAxisd(fraction * angle, axis).toRotationMatrix().template topLeftCorner<D, D>();
+    }
+
+    // Half a turn may go to either side: a group that moves around a centre turns in the same sense.
+    void choose_side(const Vector<D>& centre)
+    {
+      Vector<3> arm = Vector<3>::Zero(), path = Vector<3>::Zero();
+      arm.template head<D>() = from - centre;
+      path.template head<D>() = to - from;
+      if(angle > 3.04 && arm.cross(path).dot(axis) < -1e-6 * arm.squaredNorm()) {
+        angle = 2 * CGAL_PI - angle;
+        axis = -axis;
+      }
+    }
+
+    Vector<D> place(const Vector<D>& p, const Vector<D>& target, double fraction) const
+    {
+      const Vector<D> arm = p - from, change = rotation(1).transpose() * (target - to) - arm;
+      return from + fraction * (to - from) + rotation(fraction) * (arm + fraction * change);
+    }
+  };
+
+  std::vector<std::int32_t> all() const
+  {
+    std::vector<std::int32_t> result;
+    for(const auto& group : m_groups)
+      result.insert(result.end(), group.begin(), group.end());
+    return result;
+  }
+
+  // The rigid motion that leads the group nearest to its targets.
+  static Motion motion(const std::vector<std::int32_t>& group, const Positions<D>& x, const Positions<D>& targets)
+  {
+    Motion result;
+    result.from.setZero();
+    result.to.setZero();
+    for(std::int32_t v : group) {
+      result.from += x.col(v) / group.size();
+      result.to += targets.col(v) / group.size();
+    }
+    Matrix<D> covariance = Matrix<D>::Zero();
+    for(std::int32_t v : group)
+      covariance += (targets.col(v) - result.to) * (x.col(v) - result.from).transpose();
+    if(!covariance.allFinite() || !result.to.allFinite()) {
+      result.angle = std::numeric_limits<double>::quiet_NaN();
+      return result;
+    }
+    if(!(covariance.norm() > 0))
+      return result;
+    Signed_svd<D> svd;
+    signed_svd(covariance, svd);
+    Matrix<3> rotation = Matrix<3>::Identity();
+    rotation.template topLeftCorner<D, D>() = svd.U * svd.V.transpose();
+    const Eigen::AngleAxisd turn(rotation);
+    result.angle = std::abs(turn.angle());
+    result.axis = turn.angle() < 0 ? Vector<3>(-turn.axis()) : Vector<3>(turn.axis());
+    return result;
+  }
+
+  static constexpr double LARGEST_TURN = 0.5; // in one round, in radians
+
+  std::vector<std::vector<std::int32_t>> m_groups;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_HANDLE_GROUPS_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_CHARACTERISTIC_GRADIENT_H
+#define CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_CHARACTERISTIC_GRADIENT_H
+
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/elements/internal/eigenmodes.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Measure of the facet of a rest element opposite its vertex k.
+inline double opposite_measure(const Matrix<2>& edges, int k)
+{
+  return k == 0 ? (edges.col(1) - edges.col(0)).norm() : edges.col(2 - k).norm();
+}
+
+inline double opposite_measure(const Matrix<3>& edges, int k)
+{
+  if(k == 0)
+    return 0.5 * (edges.col(1) - edges.col(0)).cross(edges.col(2) - edges.col(0)).norm();
+  return 0.5 * edges.col(k % 3).cross(edges.col((k + 1) % 3)).norm();
+}
+
+// The gradient norm that a mesh and an energy produce at unit stress: the spectral norm of the energy's Hessian at the identity
+// times the norm of the vector of the rest links' measures (Zhu, Bridson and Kaufman 2018, section 6).
+template <int D, typename Energy>
+double characteristic_gradient(const Simplicial_domain<D>& domain, const Energy& energy)
+{
+  Element_state<D> state;
+  state.s.setOnes();
+  energy.template derivatives<D>(state.s, state.gradient, state.hessian);
+  Eigen::SelfAdjointEigenSolver<Matrix<D>> eigen;
+  eigen.computeDirect(state.hessian, Eigen::EigenvaluesOnly);
+  double norm = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  for_each_pair<D>([&](int, int i, int j) {
+    norm = (std::max)({norm, std::abs(symmetric_mode(state, i, j)), std::abs(twist_mode(state, i, j))});
+  });
+
+  Eigen::VectorXd links = Eigen::VectorXd::Zero(domain.number_of_vertices);
+  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
+    const Matrix<D> edges = domain.rest_inverses[e].inverse();
+    for(int k = 0; k <= D; ++k)
+      links[domain.elements[e][k]] += opposite_measure(edges, k);
+  }
+  return norm * links.norm();
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_CHARACTERISTIC_GRADIENT_H

@@ -1,0 +1,473 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_MINIMIZER_H
+#define CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_MINIMIZER_H
+
+#include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
+#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Robust_solver.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/method/concepts.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
+#include <CGAL/Flip_free_maps/splitting/Admm_splitting_step.h>
+#include <CGAL/Flip_free_maps/splitting/Linear_constraints.h>
+#include <CGAL/Flip_free_maps/splitting/Proximal_map.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_errors.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
+#include <CGAL/Flip_free_maps/splitting/internal/Position_solver.h>
+
+#include <boost/concept_check.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Minimises the mean distortion energy of a map by the splitting scheme of Stein, Li and Solomon 2022. The start and the
+/// iterates may have flipped elements: each Jacobian is split into a rotation and a stretch without flips, and the map is drawn
+/// towards them. The result is accepted only when exact predicates find every element positively oriented.
+///
+/// The energy has many local minima once flipped elements are let in. From a start with many of them the result may be one in
+/// which the map turns twice around some vertices: all elements are positively oriented, but those around such a vertex overlap.
+///
+/// \tparam D dimension, 2 or 3
+/// \tparam Traits must be a model of `MapTraits`; its energy, linear solver, kernel and concurrency tag are used,
+///         and all of it for the polish. The energy must be convex in the singular values,
+///         such as `Symmetric_gradient` and `Symmetric_dirichlet`.
+/// \tparam Step must be a model of `SplittingStep`
+///
+/// Complexity: an iteration is linear in the number of elements, with one pair of sparse triangular solves of |V| unknowns per
+/// coordinate. The matrix is factorized anew when penalties change, about 5 + log2(n / 5) times in n iterations without flips;
+/// its pattern is analysed once.
+template <int D, typename Traits = Flip_free_map_traits<CGAL::Default, Symmetric_gradient>,
+          typename Step = Admm_splitting_step<D, typename Traits::Energy>>
+class Splitting_minimizer
+{
+  BOOST_CONCEPT_ASSERT((MapTraitsConcept<Traits, D>));
+  BOOST_CONCEPT_ASSERT((SplittingStepConcept<Step, typename Traits::Energy, D>));
+
+  using Kernel = typename Traits::Kernel;
+  using Tag = typename Traits::Concurrency_tag;
+  using Energy = typename Traits::Energy;
+  using Position_solver = internal::Position_solver<D, Traits>;
+
+public:
+  /// Keeps a reference to `domain`, which must outlive this object, and copies of everything else.
+  explicit Splitting_minimizer(const Simplicial_domain<D>& domain, const Traits& traits = Traits(),
+                               const Position_constraints<D>& constraints = Position_constraints<D>(),
+                               const Splitting_options& options = Splitting_options(),
+                               const Linear_constraints<D>& linear_constraints = Linear_constraints<D>())
+    : m_domain(domain), m_traits(traits), m_constraints(constraints), m_options(options), m_linear_constraints(linear_constraints),
+      m_step(traits.energy, options), m_linear_solver(m_traits.make_linear_solver()), m_solver(m_linear_solver)
+  {
+    m_schedule.build(domain.elements, domain.number_of_vertices);
+    for(std::int64_t begin = 0; begin < domain.number_of_elements(); begin += CHUNK_SIZE)
+      m_chunks.push_back({begin, (std::min)(begin + CHUNK_SIZE, domain.number_of_elements())});
+  }
+
+  Splitting_minimizer(const Splitting_minimizer&) = delete;
+  Splitting_minimizer& operator=(const Splitting_minimizer&) = delete;
+
+  /// The settings; they may be changed between runs, but for those of penalties.
+  Splitting_options& options() { return m_options; }
+
+  /// Minimises, beginning at the positions `x`, in the domain's units of length.
+  ///
+  /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged.
+  ///   Fixed vertices keep their positions exactly.
+  /// \returns what happened. When the run ends early, the last iterate without flipped elements is the result, and the status is
+  ///   `iteration_limit`, `time_limit` or `stopped_by_observer`; when there was none, it is `flips_remain`, and `Summary::flips`
+  ///   tells how many flipped elements the last iterate had. Other failures are `invalid_option`, `non_finite_input`,
+  ///   `unreachable_constraints` (all vertices are fixed, and elements flipped), `linear_solver_failed` and `out_of_memory`. No
+  ///   exception is thrown but those of the observer.
+  Summary minimize(Positions<D>& x)
+  {
+    Summary summary;
+    minimize(x, summary);
+    return summary;
+  }
+
+  /// The same, adding to the counts and times of a given summary.
+  void minimize(Positions<D>& x, Summary& summary) { minimize(x, x, summary); }
+
+  /// The same, where the rotations and stretches in the beginning are those of another map, `model`. The first iterate is the map
+  /// whose Jacobians are the closest to the model's and which has the fixed vertices where `x` has them. So handles may be moved
+  /// far: `model` is the map before, in which nothing is flipped, and `x` the same with the handles at their new places. The
+  /// positions that `x` gives to other vertices do not matter then.
+  void minimize(Positions<D>& x, const Positions<D>& model, Summary& summary)
+  {
+    try {
+      Positions<D> result = x;
+      split(result, model, summary);
+      if(summary.is_valid() && m_options.polish)
+        polish(result, summary);
+      if(summary.is_valid())
+        x = std::move(result);
+    } catch(const std::bad_alloc&) {
+      finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
+    }
+    summary.peak_memory_mb = internal::peak_memory_mb();
+  }
+
+  /// Moves the fixed vertices of a map to other positions and minimises there.
+  ///
+  /// \param x a map without flips; on return the result when the summary `is_valid()`, otherwise unchanged
+  /// \param targets its columns of fixed vertices are where these go; others are not read
+  /// \param summary counts and times are added to it
+  void move_fixed_vertices(Positions<D>& x, const Positions<D>& targets, Summary& summary)
+  {
+    Positions<D> moved = x;
+    if(targets.cols() == x.cols() && x.cols() == m_domain.number_of_vertices)
+      for(std::int32_t v : m_constraints.fixed_vertices)
+        if(v >= 0 && v < m_domain.number_of_vertices)
+          moved.col(v) = targets.col(v);
+    minimize(moved, targets.cols() == x.cols() ? x : targets, summary);
+    if(summary.is_valid())
+      x.swap(moved);
+  }
+
+  /// As `minimize()` without a polish, whatever the options say: a program that calls no other function is spared the compilation
+  /// of `Map_minimizer`.
+  void split(Positions<D>& x, const Positions<D>& model, Summary& summary)
+  {
+    summary.vertices = m_domain.number_of_vertices;
+    summary.elements = m_domain.number_of_elements();
+    if constexpr(internal::Holds_energy<Energy>::value)
+      summary.energy_name = m_traits.energy.energy_name();
+    else
+      summary.energy_name = Energy::name();
+    summary.preconditioner = Step::name();
+    const Status bad = check(x, model, summary.message);
+    if(bad != Status::success) {
+      summary.status = bad;
+      return;
+    }
+    try {
+      Positions<D> result = x;
+      run(result, model, summary);
+      if(summary.is_valid())
+        x = std::move(result);
+    } catch(const std::bad_alloc&) {
+      finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
+    }
+    summary.peak_memory_mb = internal::peak_memory_mb();
+  }
+
+private:
+  static void finish(Summary& summary, Status status, const std::string& message)
+  {
+    summary.status = status;
+    summary.message = message;
+  }
+
+  Status check(const Positions<D>& x, const Positions<D>& model, std::string& message) const
+  {
+    if(!m_options.is_valid(&message) || !m_traits.options.is_valid(&message) ||
+       !m_constraints.is_valid(m_domain.number_of_vertices, &message) ||
+       !m_linear_constraints.is_valid(m_domain.number_of_vertices, &message))
+      return Status::invalid_option;
+    if(x.cols() != m_domain.number_of_vertices || model.cols() != x.cols()) {
+      message = "the start must have a column for each vertex";
+      return Status::invalid_option;
+    }
+    if(m_options.polish && !m_linear_constraints.empty()) {
+      message = "a map under linear constraints cannot be polished";
+      return Status::invalid_option;
+    }
+    if(!x.allFinite() || !model.allFinite()) {
+      message = "the start has positions that are not finite";
+      return Status::non_finite_input;
+    }
+    return Status::success;
+  }
+
+  // f(element, sums) for all elements; the sums are added in an order that does not depend on the number of threads.
+  template <typename Sums, typename F>
+  Sums for_each_element(F&& f) const
+  {
+    std::vector<Sums> partial(m_chunks.size());
+    internal::for_each_index<Tag>(m_chunks.size(), [&](std::size_t c) {
+      Sums sums;
+      for(std::int64_t e = m_chunks[c].begin; e < m_chunks[c].end; ++e)
+        f(e, sums);
+      partial[c] = sums;
+    });
+    Sums total;
+    for(const Sums& sums : partial)
+      total += sums;
+    return total;
+  }
+
+  void run(Positions<D>& x, const Positions<D>& model, Summary& summary)
+  {
+    m_solver.set_summary(summary);
+    const bool is_new = m_positions == nullptr;
+    if(is_new)
+      m_positions = std::make_unique<Position_solver>(m_domain, m_schedule, m_constraints, m_linear_constraints);
+    Position_solver& positions = *m_positions;
+    const int first_iteration = summary.iterations;
+    const double time_begin = internal::wall_seconds();
+
+    std::int64_t flips = this->flips(x, summary);
+    summary.energy = summary.energy_initial = flips == 0 ? energy(x) : std::numeric_limits<double>::infinity();
+    const bool is_warm = m_options.keep_factorization && m_is_warm;
+    m_is_warm = false;
+    if(!is_warm)
+      m_is_inert = m_options.proximal_rotation == Proximal_rotation::on ||
+                   (m_options.proximal_rotation == Proximal_rotation::automatic && flips <= MANY_FLIPS * m_domain.number_of_elements());
+    // With a model of its own, the first iterate is to come near it;
+    // the Jacobians of x are entered so that its increment is right.
+    {
+      const internal::Phase_timer timer(summary.seconds.assemble);
+      m_elements.resize(m_domain.elements.size());
+      for_each_element<Splitting_errors>([&](std::int64_t e, Splitting_errors&) {
+        if(!is_warm)
+          m_step.start(m_domain.jacobian(e, model), m_domain.measures[e], m_is_inert, m_elements[e]);
+        m_elements[e].jacobian = m_domain.jacobian(e, x);
+      });
+    }
+    if(is_new && positions.has_unknowns() && !positions.analyze_pattern(m_solver)) {
+      m_positions.reset();
+      finish(summary, Status::linear_solver_failed, "the linear solver could not analyse the pattern of the matrix");
+      return;
+    }
+
+    Splitting_report report;
+    Positions<D> flip_free; // the last iterate without flips in floating point, if the present one has some
+    if(flips == 0)
+      flip_free = x;
+    bool is_factorized = is_warm && m_is_factorized;
+    // Penalties of the run before are about right.
+    int adaptations = is_warm ? m_options.first_adaptations : 0, interval = m_options.adaptation_interval;
+    int next_adaptation = first_iteration + (is_warm ? interval : 1);
+    for(;;) {
+      const bool wants_energy = m_options.observer || std::isfinite(m_options.target_energy);
+      if(wants_energy)
+        summary.energy = flips == 0 ? energy(x) : std::numeric_limits<double>::infinity();
+      if(m_options.observer) {
+        report.iteration = summary.iterations;
+        report.seconds = internal::wall_seconds() - time_begin;
+        report.energy = summary.energy;
+        report.factorizations = summary.factorizations;
+        report.flips = flips;
+        if(!m_options.observer(report)) {
+          finish(summary, Status::stopped_by_observer, "the observer asked to stop");
+          break;
+        }
+      }
+      if(flips == 0) {
+        if(m_options.stop_when_flip_free) {
+          finish(summary, Status::success, "no element is flipped");
+          break;
+        }
+        if(wants_energy && summary.energy <= m_options.target_energy) {
+          finish(summary, Status::success, "the target energy is reached");
+          break;
+        }
+        if(summary.iterations > first_iteration && report.primal_error <= m_primal_tolerance && report.dual_error <= m_dual_tolerance) {
+          finish(summary, Status::success, "both errors are within their tolerances");
+          break;
+        }
+      }
+      if(!positions.has_unknowns() && summary.iterations > first_iteration) {
+        finish(summary, flips == 0 ? Status::success : Status::unreachable_constraints, "all vertices are fixed");
+        break;
+      }
+      if(summary.iterations - first_iteration >= m_options.max_iterations) {
+        finish(summary, Status::iteration_limit, "the limit of iterations is reached");
+        break;
+      }
+      if(internal::wall_seconds() - time_begin >= m_options.max_seconds) {
+        finish(summary, Status::time_limit, "the limit of time is reached");
+        break;
+      }
+
+      if(positions.has_unknowns()) {
+        if(!is_factorized && !positions.factorize(m_solver, [this](std::int64_t e) { return m_elements[e].penalty; })) {
+          finish(summary, Status::linear_solver_failed, "no factorization succeeded, not even of a strongly shifted matrix");
+          break;
+        }
+        is_factorized = true;
+        if(!positions.move(m_solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, x)) {
+          finish(summary, Status::linear_solver_failed, "the linear solver found no positions");
+          break;
+        }
+      }
+      ++summary.iterations;
+      const bool adapt = summary.iterations == next_adaptation;
+      {
+        const internal::Phase_timer timer(summary.seconds.assemble);
+        const Splitting_errors errors = for_each_element<Splitting_errors>([&](std::int64_t e, Splitting_errors& sums) {
+          m_step.update(m_domain.jacobian(e, x), m_domain.measures[e], adapt, m_is_inert, m_elements[e], sums);
+        });
+        report.primal_error = std::sqrt(errors.primal);
+        report.dual_error = std::sqrt(errors.dual);
+        m_primal_tolerance = m_options.absolute_tolerance + m_options.relative_tolerance * std::sqrt(errors.primal_scale);
+        m_dual_tolerance = m_options.absolute_tolerance + m_options.relative_tolerance * std::sqrt(errors.dual_scale);
+        flips = errors.flips;
+        is_factorized = is_factorized && errors.adapted == 0;
+      }
+      if(adapt) {
+        ++adaptations;
+        if(adaptations < m_options.first_adaptations)
+          next_adaptation = summary.iterations + 1;
+        else {
+          next_adaptation = summary.iterations + interval;
+          // Where flips remain penalties must go on rising.
+          if(flips == 0 || 2 * interval <= m_options.largest_interval_with_flips)
+            interval *= 2;
+        }
+      }
+      if(flips == 0) {
+        // Determinants in floating point may be wrong where exact predicates are not.
+        if(m_options.stop_when_flip_free || wants_energy ||
+           (report.primal_error <= m_primal_tolerance && report.dual_error <= m_dual_tolerance))
+          flips = this->flips(x, summary);
+        flip_free = x;
+      }
+    }
+    conclude(flip_free, x, summary);
+    m_is_warm = summary.is_valid();
+    m_is_factorized = is_factorized;
+  }
+
+  // Certifies the last iterate, or the last one without flips, and measures it.
+  void conclude(const Positions<D>& flip_free, Positions<D>& x, Summary& summary) const
+  {
+    summary.flips = flips(x, summary);
+    if(summary.flips != 0 && flip_free.cols() == x.cols() && flips(flip_free, summary) == 0) {
+      x = flip_free;
+      summary.flips = 0;
+    }
+    if(!summary.is_valid())
+      return;
+    if(summary.flips != 0) {
+      finish(summary, Status::flips_remain,
+             summary.message + ", and " + std::to_string(summary.flips) + " elements are still flipped");
+      return;
+    }
+    summary.energy = energy(x);
+    const internal::Phase_timer timer(summary.seconds.certify);
+    const Range range = for_each_element<Range>([&](std::int64_t e, Range& sums) {
+      const internal::Vector<D> s = internal::signed_singular_values(m_domain.jacobian(e, x));
+      sums.low = (std::min)(sums.low, s[D - 1]);
+      sums.high = (std::max)(sums.high, s[0]);
+    });
+    summary.min_singular_value = range.low;
+    summary.max_singular_value = range.high;
+  }
+
+  void polish(Positions<D>& x, Summary& summary) const
+  {
+    const std::string splitting = "splitting, " + std::to_string(summary.iterations) + " iterations: " + summary.message;
+    summary.start += summary.start.empty() ? splitting : ", then " + splitting;
+    const Summary before = summary;
+    Positions<D> polished = x;
+    Map_minimizer<D, Traits> minimizer(m_domain, m_traits, m_constraints);
+    minimizer.minimize(polished, summary);
+    summary.energy_initial = before.energy_initial;
+    if(summary.is_valid()) {
+      x = polished;
+      return;
+    }
+    // The splitting's own map is as valid as before.
+    const std::string message = "not polished: " + summary.message;
+    summary = before;
+    summary.message += "; " + message;
+  }
+
+  struct Range
+  {
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0;
+
+    Range& operator+=(const Range& other)
+    {
+      low = (std::min)(low, other.low);
+      high = (std::max)(high, other.high);
+      return *this;
+    }
+  };
+
+  struct Sum
+  {
+    double value = 0;
+
+    Sum& operator+=(const Sum& other)
+    {
+      value += other.value;
+      return *this;
+    }
+  };
+
+  // The mean energy of a map without flips.
+  double energy(const Positions<D>& x) const
+  {
+    const Sum sum = for_each_element<Sum>([&](std::int64_t e, Sum& sums) {
+      const internal::Vector<D> s = internal::signed_singular_values(m_domain.jacobian(e, x));
+      sums.value += m_domain.measures[e] * m_traits.energy.template value<D>(s);
+    });
+    double soft = 0;
+    for(const Soft_position<D>& position : m_constraints.soft_positions)
+      soft += position.weight * (x.col(position.vertex) - position.target).squaredNorm();
+    return sum.value + soft;
+  }
+
+  std::int64_t flips(const Positions<D>& x, Summary& summary) const
+  {
+    const internal::Phase_timer timer(summary.seconds.certify);
+    return x.allFinite() ? internal::count_flips<Kernel, Tag>(m_domain, m_schedule, x) : m_domain.number_of_elements();
+  }
+
+  // Beyond this share of flipped elements the start says little about the rotations.
+  static constexpr double MANY_FLIPS = 0.01;
+  static constexpr std::int64_t CHUNK_SIZE = 512;
+
+  struct Chunk
+  {
+    std::int64_t begin;
+    std::int64_t end;
+  };
+
+  const Simplicial_domain<D>& m_domain;
+  Traits m_traits;
+  Position_constraints<D> m_constraints;
+  Splitting_options m_options;
+  Linear_constraints<D> m_linear_constraints;
+  Step m_step;
+  internal::Element_coloring m_schedule;
+  std::vector<Chunk> m_chunks;
+  std::vector<typename Step::Element> m_elements;
+  typename Traits::Linear_solver m_linear_solver;
+  internal::Robust_solver<typename Traits::Linear_solver> m_solver;
+  std::unique_ptr<Position_solver> m_positions; // made in the first run, when constraints have been checked
+  bool m_is_warm = false;       // elements are as a run with a valid map left them
+  bool m_is_factorized = false; // with their penalties
+  bool m_is_inert = false;
+  double m_primal_tolerance = 0;
+  double m_dual_tolerance = 0;
+};
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_MINIMIZER_H

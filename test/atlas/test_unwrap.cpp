@@ -1,0 +1,293 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// unwrap() and pack_charts().
+
+#define BOOST_TEST_MODULE unwrap
+#include <boost/test/included/unit_test.hpp>
+
+#include "atlas/atlas_checks.h"
+
+#include <CGAL/Flip_free_maps/pack_charts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test_support;
+using FFM::Status;
+using Float_point_2 = CGAL::Simple_cartesian<float>::Point_2;
+
+BOOST_AUTO_TEST_CASE(closed_surfaces_of_every_genus)
+{
+  for(int genus : {0, 1, 2, 5}) {
+    Atlas_surface surface(genus == 0 ? ball_soup() : plate_soup(genus));
+    const FFM::Unwrap_summary summary = surface.unwrap();
+    BOOST_TEST_CONTEXT("genus " << genus) {
+      check_atlas(surface, summary);
+      BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::success));
+      BOOST_TEST(summary.cut.genus == genus);
+      BOOST_TEST(summary.energy < 1.5);
+      BOOST_TEST(summary.occupancy > 0.15);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(components_and_holes)
+{
+  Atlas_surface several(together(together(ball_soup(), plate_soup(1)), sheet_soup(6, 5, {{2, 2}, {4, 1}})));
+  const FFM::Unwrap_summary summary = several.unwrap();
+  check_atlas(several, summary);
+  BOOST_TEST(summary.charts.size() >= 3u);
+
+  // A flat sheet with many holes needs no seam.
+  std::set<std::array<int, 2>> holes;
+  for(int i = 0; i < 9; ++i)
+    for(int j = 0; j < 9; ++j)
+      if(i % 2 == 1 && j % 2 == 1)
+        holes.insert({i, j});
+  Soup soup = sheet_soup(9, 9, holes);
+  for(auto& p : soup.points)
+    p = Mesh::Point(p.x(), p.y(), 0);
+  Atlas_surface flat(soup);
+  const FFM::Unwrap_summary isometric = flat.unwrap();
+  check_atlas(flat, isometric);
+  BOOST_TEST(isometric.seam_edges == 0);
+  BOOST_TEST(isometric.energy <= 1 + 1e-4);
+  // A tube has two borders, too, but must be cut.
+  soup = voxel_soup(3, 3, 6, [](int, int, int) { return true; });
+  soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(), [&](const std::array<int, 3>& t) {
+                         const double z = soup.points[t[0]].z();
+                         return z == soup.points[t[1]].z() && z == soup.points[t[2]].z();
+                       }), soup.triangles.end());
+  Atlas_surface tube(soup);
+  const FFM::Unwrap_summary unrolled = tube.unwrap();
+  check_atlas(tube, unrolled);
+  BOOST_TEST(unrolled.seam_edges == 6);
+  BOOST_TEST(std::abs(unrolled.energy - 1) <= 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(splits)
+{
+  // A band that is rolled up on a cone's surface overlaps itself when it is laid flat:
+  // 18 right triangles' worth of angle around a point.
+  Soup soup;
+  const int n = 60;
+  for(int i = 0; i <= n; ++i)
+    for(int side = 0; side < 2; ++side) {
+      // A helix with steps so steep that the angle around the axis in the developed surface is 2.5 turns.
+      const double angle = 5 * CGAL_PI * i / n, radius = 1 + side;
+      soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.02 * angle);
+    }
+  for(int i = 0; i < n; ++i) {
+    const int a = 2 * i;
+    soup.triangles.push_back({a, a + 1, a + 2});
+    soup.triangles.push_back({a + 2, a + 1, a + 3});
+  }
+  Atlas_surface ramp(soup);
+  const FFM::Unwrap_summary summary = ramp.unwrap();
+  check_atlas(ramp, summary);
+  BOOST_TEST(summary.splits_of_overlaps >= 2);
+  BOOST_TEST(summary.charts.size() >= 3u);
+  BOOST_TEST(summary.charts.size() <= 8u);
+
+  // Distortion is bounded on request.
+  FFM::Unwrap_options options;
+  options.cut.branches = FFM::Cut_options::Branches::none;
+  Atlas_surface free(ball_soup()), bounded(ball_soup());
+  const FFM::Unwrap_summary whole = free.unwrap(options);
+  check_atlas(free, whole);
+  options.max_distortion = 1.03;
+  const FFM::Unwrap_summary parts = bounded.unwrap(options);
+  check_atlas(bounded, parts);
+  BOOST_TEST(whole.energy > 1.03);
+  BOOST_TEST(parts.splits_of_distortion >= 1);
+  for(const FFM::Chart_summary& chart : parts.charts)
+    BOOST_TEST(chart.energy <= 1.03);
+}
+
+BOOST_AUTO_TEST_CASE(seams_of_the_user)
+{
+  // Each side of a block becomes a chart.
+  Atlas_surface block(block_soup(3, 3, 3));
+  for(const auto e : block.mesh.edges()) {
+    const auto p = block.mesh.point(block.mesh.vertex(e, 0)), q = block.mesh.point(block.mesh.vertex(e, 1));
+    int sides = 0;
+    for(int c = 0; c < 3; ++c)
+      sides += p[c] == q[c] && (p[c] == 0 || p[c] == 3);
+    block.user[e] = sides == 2;
+  }
+  const FFM::Unwrap_summary summary = block.unwrap();
+  check_atlas(block, summary);
+  BOOST_TEST(summary.charts.size() == 6u);
+  BOOST_TEST(summary.seam_edges == 36);
+  BOOST_TEST(std::abs(summary.seam_length - 36) <= 1e-12);
+  BOOST_TEST(std::abs(summary.energy - 1) <= 1e-9);
+  // Six squares in a square.
+  BOOST_TEST(summary.occupancy > 6. / 9 * 0.9);
+  for(const auto e : block.mesh.edges())
+    BOOST_TEST((!block.user[e] || block.seam[e]));
+}
+
+BOOST_AUTO_TEST_CASE(packing)
+{
+  Atlas_surface surface(together(plate_soup(2), ball_soup()));
+  FFM::Unwrap_options options;
+  options.packing.margin = 0.05;
+  const FFM::Unwrap_summary wide = surface.unwrap(options);
+  check_atlas(surface, wide);
+  std::vector<CGAL::Bbox_2> boxes(wide.charts.size());
+  for(const auto f : surface.mesh.faces())
+    for(const Halfedge h : CGAL::halfedges_around_face(surface.mesh.halfedge(f), surface.mesh))
+      boxes[surface.chart[f]] += surface.uv[h].bbox();
+  for(std::size_t c = 0; c < boxes.size(); ++c) {
+    BOOST_TEST((boxes[c].xmin() >= 0.0249999 && boxes[c].ymin() >= 0.0249999 && boxes[c].xmax() <= 0.9750001 && boxes[c].ymax() <= 0.9750001));
+    for(std::size_t d = 0; d < c; ++d)
+      BOOST_TEST((std::max)({boxes[c].xmin() - boxes[d].xmax(), boxes[d].xmin() - boxes[c].xmax(), boxes[c].ymin() - boxes[d].ymax(),
+                             boxes[d].ymin() - boxes[c].ymax()}) >= 0.0499999);
+  }
+  // The same charts closer together; without packing, in the units of the surface; packed afterwards.
+  FFM::Packing_options closer;
+  const FFM::Packing_summary packed = FFM::pack_charts(surface.mesh, surface.uv, closer);
+  BOOST_TEST_REQUIRE(packed.is_valid(), packed.message);
+  BOOST_TEST(packed.charts == static_cast<int>(wide.charts.size()));
+  BOOST_TEST(packed.scale > 1);
+  BOOST_TEST(std::abs(packed.occupancy - wide.occupancy * packed.scale * packed.scale) <= 1e-9);
+  BOOST_TEST(!has_overlap(surface.mesh, surface.uv));
+  options.pack = false;
+  const FFM::Unwrap_summary loose = surface.unwrap(options);
+  BOOST_TEST_REQUIRE(loose.is_valid());
+  BOOST_TEST(loose.scale == 1);
+  BOOST_TEST(std::abs(loose.energy - wide.energy) <= 1e-12);
+  BOOST_TEST(FFM::pack_charts(surface.mesh, surface.uv, closer).is_valid());
+  BOOST_TEST(!has_overlap(surface.mesh, surface.uv));
+
+  // What cannot be packed stays as it is.
+  const Point_2 before = surface.uv[Halfedge(0)];
+  closer.margin = 0.5;
+  BOOST_TEST(FFM::status_name(FFM::pack_charts(surface.mesh, surface.uv, closer).status) == FFM::status_name(Status::invalid_option));
+  closer.margin = 0;
+  BOOST_TEST(FFM::status_name(FFM::pack_charts(surface.mesh, surface.uv, closer).status) == FFM::status_name(Status::invalid_option));
+  const Halfedge h = surface.mesh.halfedge(*surface.mesh.faces().begin());
+  std::swap(surface.uv[h], surface.uv[surface.mesh.next(h)]);
+  BOOST_TEST(FFM::status_name(FFM::pack_charts(surface.mesh, surface.uv).status) == FFM::status_name(Status::start_not_flip_free));
+  std::swap(surface.uv[h], surface.uv[surface.mesh.next(h)]);
+  BOOST_TEST((surface.uv[Halfedge(0)] == before));
+}
+
+BOOST_AUTO_TEST_CASE(numbers_of_low_precision)
+{
+  // A triangle that is 10^-9 thin is nothing to float numbers, and still not flipped.
+  Soup soup = sheet_soup(8, 8, {});
+  soup.points.push_back(CGAL::midpoint(soup.points[soup.triangles[40][0]], soup.points[soup.triangles[40][1]]) +
+                        1e-9 * (soup.points[soup.triangles[40][2]] - soup.points[soup.triangles[40][1]]));
+  const int m = static_cast<int>(soup.points.size()) - 1;
+  const auto t = soup.triangles[40];
+  soup.triangles[40] = {t[0], t[1], m};
+  soup.triangles.push_back({t[1], t[2], m});
+  soup.triangles.push_back({t[2], t[0], m});
+  Atlas_surface surface(soup);
+  check_atlas(surface, surface.unwrap());
+  auto uv = surface.mesh.add_property_map<Halfedge, Float_point_2>("h:float").first;
+  const FFM::Unwrap_summary summary = FFM::unwrap(surface.mesh, uv);
+  BOOST_TEST_REQUIRE(summary.is_valid(), summary.message);
+  BOOST_TEST(FFM::is_atlas_bijective(surface.mesh, uv));
+  BOOST_TEST(!has_overlap(surface.mesh, uv));
+}
+
+BOOST_AUTO_TEST_CASE(limits)
+{
+  // When time is up, or the observer says so, the atlas is as valid as any.
+  Atlas_surface late(together(plate_soup(5), ball_soup()));
+  FFM::Unwrap_options options;
+  options.max_seconds = 0;
+  FFM::Unwrap_summary summary = late.unwrap(options);
+  check_atlas(late, summary);
+  BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::time_limit));
+
+  Atlas_surface stopped(together(plate_soup(5), ball_soup()));
+  options = FFM::Unwrap_options();
+  int calls = 0;
+  options.observer = [&calls](const FFM::Unwrap_progress& progress) {
+    BOOST_TEST(progress.faces_done <= progress.faces);
+    BOOST_TEST(progress.charts_done < progress.charts);
+    return ++calls < 4;
+  };
+  summary = stopped.unwrap(options);
+  check_atlas(stopped, summary);
+  BOOST_TEST(calls == 4);
+  BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::stopped_by_observer));
+
+  // The method's observer ends all charts, too, not only the one that it is asked about.
+  Atlas_surface ended(together(plate_soup(5), ball_soup()));
+  FFM::Flip_free_map_traits<> traits;
+  calls = 0;
+  traits.options.observer = [&calls](const FFM::Iteration_report&) { return ++calls < 2; };
+  summary = ended.unwrap(FFM::Unwrap_options(), traits);
+  check_atlas(ended, summary);
+  BOOST_TEST(calls == 2);
+  BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::stopped_by_observer));
+}
+
+BOOST_AUTO_TEST_CASE(refused)
+{
+  const auto expect = [](const Soup& soup, const FFM::Unwrap_options& options, Status status) {
+    Atlas_surface surface(soup);
+    const FFM::Unwrap_summary summary = surface.unwrap(options);
+    BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(status));
+    BOOST_TEST(summary.message.size() > 10u);
+    BOOST_TEST(surface.is_untouched());
+  };
+  FFM::Unwrap_options options;
+  expect(Soup(), options, Status::empty_mesh);
+  Soup soup = ball_soup();
+  soup.points[soup.triangles[5][0]] = soup.points[soup.triangles[5][1]];
+  expect(soup, options, Status::degenerate_rest_element);
+  soup.points[3] = Mesh::Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  expect(soup, options, Status::non_finite_input);
+  for(double margin : {0., -1., 0.6}) {
+    options.packing.margin = margin;
+    expect(ball_soup(), options, Status::invalid_option);
+  }
+  options = FFM::Unwrap_options();
+  options.max_distortion = 1;
+  expect(ball_soup(), options, Status::invalid_option);
+  options = FFM::Unwrap_options();
+  options.packing.margin = 0.5;
+  expect(together(together(together(ball_soup(), ball_soup()), ball_soup()), ball_soup()), options, Status::invalid_option);
+
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  soup.triangles = {{0, 1, 2}, {0, 3, 4}};
+  expect(soup, FFM::Unwrap_options(), Status::non_manifold);
+
+  Atlas_surface square{Soup()};
+  std::vector<Mesh::Vertex_index> v;
+  for(int i = 0; i < 4; ++i)
+    v.push_back(square.mesh.add_vertex({double(i == 1 || i == 2), double(i >= 2), 0}));
+  square.mesh.add_face(v);
+  BOOST_TEST(FFM::status_name(square.unwrap().status) == FFM::status_name(Status::not_triangular));
+}
+
+BOOST_AUTO_TEST_CASE(the_same_again_and_written_to_files)
+{
+  Atlas_surface a(plate_soup(2)), b(plate_soup(2));
+  check_atlas(a, a.unwrap());
+  b.unwrap();
+  for(const auto h : a.mesh.halfedges())
+    BOOST_TEST((a.uv[h] == b.uv[h]));
+  const FFM::Textured_mesh textured = FFM::textured_atlas(a.mesh, a.uv);
+  BOOST_TEST(FFM::is_bijective(textured));
+  BOOST_TEST(textured.points.size() == a.mesh.number_of_vertices());
+  BOOST_TEST(textured.triangles.size() == a.mesh.number_of_faces());
+  // As many images as there are corners less those that are glued: V + the seams' doubles.
+  BOOST_TEST(textured.texture.size() > textured.points.size());
+}
