@@ -20,8 +20,8 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef CGAL::Simple_cartesian<double>                                                   Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                                              Mesh;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef FFM::Flip_free_map_traits<CGAL::Default, FFM::Symmetric_dirichlet, FFM::Killing> Traits;
 
 int main()

@@ -23,9 +23,9 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef CGAL::Simple_cartesian<double>      Kernel;
+typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef Mesh::Vertex_index                  Vertex;
+typedef Mesh::Vertex_index Vertex;
 
 int main()
 {
@@ -37,18 +37,17 @@ int main()
   if(!summary.is_valid())
     return EXIT_FAILURE;
 
-  const Vertex top = *std::max_element(mesh.vertices().begin(), mesh.vertices().end(), [&mesh](Vertex v, Vertex w) {
-    return mesh.point(v).z() < mesh.point(w).z();
-  });
+  const Vertex top = *std::max_element(mesh.vertices().begin(), mesh.vertices().end(),
+                                       [&mesh](Vertex v, Vertex w) { return mesh.point(v).z() < mesh.point(w).z(); });
 
   //! [constraints]
   // Continues with the map found so far: the border is fixed, and the top of the hill pulled to a place nearby.
   const Kernel::Point_2 place = uv[top] + Kernel::Vector_2(0.05, 0.1);
   const std::vector<std::tuple<Vertex, Kernel::Point_2, double>> soft{{top, place, 10.}};
   auto moved = mesh.add_property_map<Vertex, Kernel::Point_2>("v:moved").first;
-  summary = FFM::parameterize(
-    mesh, border_halfedge, moved,
-    FFM::parameters::start_map(uv, FFM::parameters::border_is_fixed(true, FFM::parameters::soft_positions(soft))));
+  summary =
+    FFM::parameterize(mesh, border_halfedge, moved,
+                      FFM::parameters::start_map(uv, FFM::parameters::border_is_fixed(true, FFM::parameters::soft_positions(soft))));
   //! [constraints]
   std::cout << summary;
   if(!summary.is_valid())

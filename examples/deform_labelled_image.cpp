@@ -30,11 +30,11 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel          Kernel;
-typedef CGAL::Labeled_mesh_domain_3<Kernel>                          Mesh_domain;
-typedef CGAL::Mesh_triangulation_3<Mesh_domain>::type                Triangulation;
-typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>       C3t3;
-typedef CGAL::Mesh_criteria_3<Triangulation>                         Mesh_criteria;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Labeled_mesh_domain_3<Kernel> Mesh_domain;
+typedef CGAL::Mesh_triangulation_3<Mesh_domain>::type Triangulation;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+typedef CGAL::Mesh_criteria_3<Triangulation> Mesh_criteria;
 
 // Voxels of 1 mm: 0 outside, 1 in the flesh, 2 in the bone. An image of one's own comes by CGAL::Image_3::read().
 CGAL::Image_3 finger()
@@ -44,8 +44,7 @@ CGAL::Image_3 finger()
   unsigned char* voxel = static_cast<unsigned char*>(image.data());
   for(int k = 0; k < width; ++k)
     for(int j = 0; j < width; ++j)
-      for(int i = 0; i < length; ++i, ++voxel)
-      {
+      for(int i = 0; i < length; ++i, ++voxel) {
         const double y = j - 11.5, z = k - 11.5, square = y * y + z * z;
         const bool inside = i >= 3 && i < length - 3;
         *voxel = !inside || square > 81 ? 0 : square > 16 ? 1 : 2;
@@ -62,16 +61,14 @@ int main()
 
   FFM::Mesh_complex_3_domain<C3t3> volume;
   std::string message;
-  if(volume.load(c3t3, message) != FFM::Status::success)
-  {
+  if(volume.load(c3t3, message) != FFM::Status::success) {
     std::cerr << message << std::endl;
     return EXIT_FAILURE;
   }
 
   // One end is held, the tip makes a quarter turn upwards around an axis 30 mm above the middle of the finger.
   std::vector<std::pair<C3t3::Vertex_handle, Kernel::Point_3>> handles;
-  for(const C3t3::Vertex_handle v : volume.vertices())
-  {
+  for(const C3t3::Vertex_handle v : volume.vertices()) {
     const Kernel::Point_3 p = v->point().point();
     if(p.x() < 8)
       handles.emplace_back(v, p);

@@ -28,11 +28,11 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel          Kernel;
-typedef CGAL::Labeled_mesh_domain_3<Kernel>                          Mesh_domain;
-typedef CGAL::Mesh_triangulation_3<Mesh_domain>::type                Triangulation;
-typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>       C3t3;
-typedef CGAL::Mesh_criteria_3<Triangulation>                         Mesh_criteria;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Labeled_mesh_domain_3<Kernel> Mesh_domain;
+typedef CGAL::Mesh_triangulation_3<Mesh_domain>::type Triangulation;
+typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> C3t3;
+typedef CGAL::Mesh_criteria_3<Triangulation> Mesh_criteria;
 
 int main()
 {
@@ -45,16 +45,14 @@ int main()
   //! [volume]
   FFM::Mesh_complex_3_domain<C3t3> volume;
   std::string message;
-  if(volume.load(c3t3, message) != FFM::Status::success)
-  {
+  if(volume.load(c3t3, message) != FFM::Status::success) {
     std::cerr << message << std::endl;
     return EXIT_FAILURE;
   }
 
   // The left end is held, the right one makes a quarter turn around the axis x = y = 1, upwards.
   std::vector<std::pair<C3t3::Vertex_handle, Kernel::Point_3>> handles;
-  for(const C3t3::Vertex_handle v : volume.vertices())
-  {
+  for(const C3t3::Vertex_handle v : volume.vertices()) {
     const Kernel::Point_3 p = v->point().point();
     if(p.x() < -2)
       handles.emplace_back(v, p);

@@ -22,9 +22,9 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef CGAL::Simple_cartesian<double>      Kernel;
+typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_2> Mesh;
-typedef Mesh::Vertex_index                  Vertex;
+typedef Mesh::Vertex_index Vertex;
 
 int main()
 {

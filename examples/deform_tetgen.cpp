@@ -26,8 +26,8 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef CGAL::Simple_cartesian<double>                               Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                          Mesh;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 int main()
 {
@@ -44,16 +44,14 @@ int main()
   std::string message;
   FFM::Tetrahedral_domain volume;
   if(FFM::tetrahedralize_with_tetgen(surface, mesh, FFM::Tetgen_options(), message) != FFM::Status::success ||
-     volume.load(mesh.points, mesh.tetrahedra, message) != FFM::Status::success)
-  {
+     volume.load(mesh.points, mesh.tetrahedra, message) != FFM::Status::success) {
     std::cerr << message << std::endl;
     return EXIT_FAILURE;
   }
   //! [fill]
 
   std::vector<std::pair<std::size_t, Kernel::Point_3>> handles;
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-  {
+  for(std::size_t v = 0; v < mesh.points.size(); ++v) {
     const double x = mesh.points[v][0], y = mesh.points[v][1], z = mesh.points[v][2];
     if(x < -1.8)
       handles.emplace_back(v, Kernel::Point_3(x, y, z));

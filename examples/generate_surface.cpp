@@ -19,7 +19,7 @@
 #include <iostream>
 #include <string>
 
-typedef CGAL::Simple_cartesian<double>      Kernel;
+typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 int main(int argc, char* argv[])
@@ -29,8 +29,7 @@ int main(int argc, char* argv[])
   Mesh mesh;
   make_bumpy_surface(mesh, 100);
 
-  if(!CGAL::IO::write_OFF(file_name, mesh, CGAL::parameters::stream_precision(17)))
-  {
+  if(!CGAL::IO::write_OFF(file_name, mesh, CGAL::parameters::stream_precision(17))) {
     std::cerr << "Cannot write " << file_name << std::endl;
     return EXIT_FAILURE;
   }

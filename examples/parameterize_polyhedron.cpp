@@ -21,10 +21,10 @@
 #include <iostream>
 #include <unordered_map>
 
-typedef CGAL::Simple_cartesian<double>                              Kernel;
-typedef CGAL::Polyhedron_3<Kernel>                                  Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor                vertex_descriptor;
-typedef std::unordered_map<vertex_descriptor, Kernel::Point_2>      UV_map;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Polyhedron_3<Kernel> Mesh;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef std::unordered_map<vertex_descriptor, Kernel::Point_2> UV_map;
 
 int main()
 {
@@ -32,8 +32,7 @@ int main()
   const auto border_halfedge = make_bumpy_surface(mesh);
 
   UV_map uv;
-  const auto summary =
-    CGAL::Flip_free_maps::parameterize(mesh, border_halfedge, boost::associative_property_map<UV_map>(uv));
+  const auto summary = CGAL::Flip_free_maps::parameterize(mesh, border_halfedge, boost::associative_property_map<UV_map>(uv));
 
   std::cout << summary;
   return summary.is_valid() && uv.size() == num_vertices(mesh) ? EXIT_SUCCESS : EXIT_FAILURE;

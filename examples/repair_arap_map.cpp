@@ -24,8 +24,8 @@
 namespace FFM = CGAL::Flip_free_maps;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
-typedef CGAL::Simple_cartesian<double>       Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>  Mesh;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 int main()
 {

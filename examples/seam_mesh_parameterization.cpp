@@ -30,24 +30,22 @@
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
-typedef CGAL::Simple_cartesian<double>                   Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>              Mesh;
-typedef Mesh::Property_map<Mesh::Edge_index, bool>       Seam_edges;
-typedef Mesh::Property_map<Mesh::Vertex_index, bool>     Seam_vertices;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Seam_edges;
+typedef Mesh::Property_map<Mesh::Vertex_index, bool> Seam_vertices;
 typedef CGAL::Seam_mesh<Mesh, Seam_edges, Seam_vertices> Seam_mesh;
 
 void make_torus(Mesh& mesh, int n = 40, int m = 20)
 {
   std::vector<Mesh::Vertex_index> v;
   for(int i = 0; i < n; ++i)
-    for(int j = 0; j < m; ++j)
-    {
+    for(int j = 0; j < m; ++j) {
       const double a = 2 * CGAL_PI * i / n, b = 2 * CGAL_PI * j / m, radius = 2 + std::cos(b);
       v.push_back(mesh.add_vertex({radius * std::cos(a), radius * std::sin(a), std::sin(b)}));
     }
   for(int i = 0; i < n; ++i)
-    for(int j = 0; j < m; ++j)
-    {
+    for(int j = 0; j < m; ++j) {
       const int i1 = (i + 1) % n, j1 = (j + 1) % m;
       mesh.add_face(v[i * m + j], v[i1 * m + j], v[i1 * m + j1]);
       mesh.add_face(v[i * m + j], v[i1 * m + j1], v[i * m + j1]);
@@ -59,8 +57,7 @@ int main(int argc, char* argv[])
   Mesh mesh;
   if(argc == 1)
     make_torus(mesh);
-  else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh))
-  {
+  else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "Cannot read " << argv[1] << std::endl;
     return EXIT_FAILURE;
   }
@@ -80,8 +77,7 @@ int main(int argc, char* argv[])
 
   auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   const auto border = PMP::longest_border(seam_mesh).first;
-  const SMP::Error_code code =
-    SMP::parameterize(seam_mesh, CGAL::Flip_free_maps::Flip_free_parameterizer_3<Seam_mesh>(), border, uv);
+  const SMP::Error_code code = SMP::parameterize(seam_mesh, CGAL::Flip_free_maps::Flip_free_parameterizer_3<Seam_mesh>(), border, uv);
   std::cout << (code == SMP::OK ? "mapped" : "not mapped") << std::endl;
   return code == SMP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
 }

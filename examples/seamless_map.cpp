@@ -27,25 +27,21 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef CGAL::Simple_cartesian<double>                               Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                          Mesh;
-typedef Mesh::Property_map<Mesh::Edge_index, bool>                   Seam_edge_map;
-typedef Mesh::Property_map<Mesh::Vertex_index, bool>                 Seam_vertex_map;
-typedef CGAL::Seam_mesh<Mesh, Seam_edge_map, Seam_vertex_map>        Seam_mesh;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Seam_edge_map;
+typedef Mesh::Property_map<Mesh::Vertex_index, bool> Seam_vertex_map;
+typedef CGAL::Seam_mesh<Mesh, Seam_edge_map, Seam_vertex_map> Seam_mesh;
 
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if(argc > 1)
-  {
-    if(!CGAL::IO::read_polygon_mesh(argv[1], mesh))
-    {
+  if(argc > 1) {
+    if(!CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
       std::cerr << "The file cannot be read." << std::endl;
       return EXIT_FAILURE;
     }
-  }
-  else
-  {
+  } else {
     CGAL::make_icosahedron<Mesh, Kernel::Point_3>(mesh);
     CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
   }
@@ -54,15 +50,13 @@ int main(int argc, char** argv)
   Seam_edge_map seam_edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:on_seam", false).first;
   Seam_vertex_map seam_vertices = mesh.add_property_map<Mesh::Vertex_index, bool>("v:on_seam", false).first;
   const FFM::Cut_summary cut = FFM::cut_to_disk(mesh, seam_edges);
-  if(cut.status != FFM::Status::success)
-  {
+  if(cut.status != FFM::Status::success) {
     std::cerr << cut.message << std::endl;
     return EXIT_FAILURE;
   }
   Mesh::Halfedge_index border;
   for(const Mesh::Edge_index e : mesh.edges())
-    if(seam_edges[e])
-    {
+    if(seam_edges[e]) {
       seam_vertices[mesh.vertex(e, 0)] = seam_vertices[mesh.vertex(e, 1)] = true;
       border = mesh.halfedge(e);
     }
@@ -71,7 +65,8 @@ int main(int argc, char** argv)
   const FFM::Seam_summary summary =
     FFM::parameterize_with_seams(seam_mesh, boost::graph_traits<Seam_mesh>::halfedge_descriptor(border, true), uv);
   //! [seamless]
-  std::cout << summary << "seams: " << summary.transformations.size() << ", apart by " << summary.residual << " of their lengths" << std::endl;
+  std::cout << summary << "seams: " << summary.transformations.size() << ", apart by " << summary.residual << " of their lengths"
+            << std::endl;
   if(!summary.is_valid())
     return EXIT_FAILURE;
   return argc < 3 || FFM::write_textured_OBJ(argv[2], FFM::textured_mesh(seam_mesh, uv)) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -23,7 +23,7 @@
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-typedef CGAL::Simple_cartesian<double>      Kernel;
+typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 int main(int argc, char* argv[])
@@ -32,8 +32,7 @@ int main(int argc, char* argv[])
   if(argc == 1)
     make_bumpy_surface(mesh);
   // Not the reader of Polygon_mesh_processing: it would sew up the cuts of a surface that was cut open.
-  else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh))
-  {
+  else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "Cannot read " << argv[1] << std::endl;
     return EXIT_FAILURE;
   }

@@ -21,19 +21,16 @@
 #include <cstdlib>
 #include <iostream>
 
-typedef CGAL::Simple_cartesian<double>      Kernel;
+typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(argc == 1)
-  {
+  if(argc == 1) {
     CGAL::make_icosahedron<Mesh, Kernel::Point_3>(mesh);
     CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(3));
-  }
-  else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh))
-  {
+  } else if(!CGAL::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "Cannot read " << argv[1] << std::endl;
     return EXIT_FAILURE;
   }

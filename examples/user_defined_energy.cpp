@@ -33,8 +33,7 @@ struct Stretch_and_shrink
   }
 
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     gradient = (1 - s.array().square().inverse()) / (2 * D);
     hessian.setZero();
@@ -45,7 +44,7 @@ struct Stretch_and_shrink
 
 int main()
 {
-  typedef CGAL::Simple_cartesian<double>      Kernel;
+  typedef CGAL::Simple_cartesian<double> Kernel;
   typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
   Mesh mesh;
   const auto border_halfedge = make_bumpy_surface(mesh);

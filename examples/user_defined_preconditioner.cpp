@@ -39,8 +39,7 @@ struct Absolute_newton
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen(h);
     form.stretch = eigen.eigenvectors() * eigen.eigenvalues().cwiseAbs().asDiagonal() * eigen.eigenvectors().transpose();
     for(int p = 0, i = 0; i < D; ++i)
-      for(int j = i + 1; j < D; ++j, ++p)
-      {
+      for(int j = i + 1; j < D; ++j, ++p) {
         const bool is_equal = s[i] - s[j] < 1e-6 * s[i];
         const double symmetric = is_equal ? 0.5 * (h(i, i) + h(j, j)) - h(i, j) : (g[i] - g[j]) / (s[i] - s[j]);
         const double twist = (g[i] + g[j]) / (s[i] + s[j]);
@@ -52,7 +51,7 @@ struct Absolute_newton
 
 int main()
 {
-  typedef CGAL::Simple_cartesian<double>      Kernel;
+  typedef CGAL::Simple_cartesian<double> Kernel;
   typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
   Mesh mesh;
   const auto border_halfedge = make_bumpy_surface(mesh);

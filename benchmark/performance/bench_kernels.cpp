@@ -53,8 +53,7 @@ struct Problem
 };
 
 template <typename Preconditioner>
-using Traits =
-  FFM::Flip_free_map_traits<D, D, Preconditioner, D, D, FFM::No_acceleration, FFM::Every_iteration, CGAL::Sequential_tag>;
+using Traits = FFM::Flip_free_map_traits<D, D, Preconditioner, D, D, FFM::No_acceleration, FFM::Every_iteration, CGAL::Sequential_tag>;
 
 template <typename Preconditioner>
 struct Objective

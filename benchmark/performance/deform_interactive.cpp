@@ -44,11 +44,10 @@ int main(int argc, char** argv)
   };
   const std::vector<std::int32_t> handles = {vertex(0.1, 0.1), vertex(0.9, 0.1), vertex(0.1, 0.9), vertex(0.8, 0.8)};
 
-  std::cout
-    << "# " << machine() << "\n# " << rest.cols()
-    << " vertices; a move ends when the relative decrease of the energy is below 1e-4\n"
-    << "method,moves,iterations,factorizations,iteration_median_ms,iteration_worst_ms,move_median_ms,move_worst_ms,first_move_ms,"
-       "worst_move_has_iterations,energy,min_singular_value,flips,failed_moves\n";
+  std::cout << "# " << machine() << "\n# " << rest.cols()
+            << " vertices; a move ends when the relative decrease of the energy is below 1e-4\n"
+            << "method,moves,iterations,factorizations,iteration_median_ms,iteration_worst_ms,move_median_ms,move_worst_ms,first_move_ms,"
+               "worst_move_has_iterations,energy,min_singular_value,flips,failed_moves\n";
   int failures = 0;
   for(const char* method : {"default", "projected-newton", "akvf"}) {
     FFM::Any_map_traits traits;
@@ -108,10 +107,9 @@ int main(int argc, char** argv)
     }
     failures += failed;
     std::cout << method << ',' << moves.size() << ',' << total_iterations << ',' << factorizations << ','
-              << format(quantile(iterations, 0.5)) << ',' << format(quantile(iterations, 1)) << ','
-              << format(quantile(moves, 0.5)) << ',' << format(quantile(moves, 1)) << ',' << format(first_move) << ','
-              << worst_iterations << ',' << format(summary.energy, 8) << ',' << format(summary.min_singular_value) << ','
-              << summary.flips << ',' << failed << std::endl;
+              << format(quantile(iterations, 0.5)) << ',' << format(quantile(iterations, 1)) << ',' << format(quantile(moves, 0.5)) << ','
+              << format(quantile(moves, 1)) << ',' << format(first_move) << ',' << worst_iterations << ',' << format(summary.energy, 8)
+              << ',' << format(summary.min_singular_value) << ',' << summary.flips << ',' << failed << std::endl;
   }
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

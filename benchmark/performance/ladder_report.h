@@ -93,9 +93,9 @@ inline std::string plot_over_faces(const Table& runs, const std::vector<std::vec
   if(plot.lines.empty())
     return std::string();
   const auto first = plot.lines.front().points.front();
-  plot.lines.insert(plot.lines.begin(), {{"#9ca3af", "4 3", 1},
-                                         {{plot.x_low, first.second * plot.x_low / first.first},
-                                          {plot.x_high, first.second * plot.x_high / first.first}}});
+  plot.lines.insert(plot.lines.begin(),
+                    {{"#9ca3af", "4 3", 1},
+                     {{plot.x_low, first.second * plot.x_low / first.first}, {plot.x_high, first.second * plot.x_high / first.first}}});
   return plot.svg();
 }
 
@@ -136,8 +136,9 @@ inline std::string ladder_section(const Table& runs)
     for(std::size_t k = 0; k < entry.second.size(); ++k) {
       const std::size_t row = entry.second[k];
       const auto value = [&runs, row](const char* column, int digits = 3) { return cell(format(runs.number(row, column), digits)); };
-      html += std::string("<tr") + (k == 0 ? " class='set'>" : ">") + value("faces", 9) + cell(entry.first.first) + cell(entry.first.second) +
-              value("energy", 8) + value("iterations") + value("factorizations") + value("units") + value("seconds");
+      html += std::string("<tr") + (k == 0 ? " class='set'>" : ">") + value("faces", 9) + cell(entry.first.first) +
+              cell(entry.first.second) + value("energy", 8) + value("iterations") + value("factorizations") + value("units") +
+              value("seconds");
       for(double part : phases_of(runs, row))
         html += cell(format(part, 3));
       html += value("speedup") + value("memory_before_mb", 4) + value("memory_start_mb", 4) + value("memory_minimize_mb", 4) +

@@ -67,9 +67,9 @@ struct Measured_run
   std::vector<Trace_point> trace;
   double factorization_seconds = NOT_A_NUMBER;     // of one numeric factorization on the full mesh
   double factorization_cpu_seconds = NOT_A_NUMBER; // the unit of work
-  double memory_before_mb = -1;   // resident, the mesh included
-  double memory_start_mb = -1;    // peak until the first matrix is to be factorized
-  double memory_minimize_mb = -1; // peak from there on
+  double memory_before_mb = -1;                    // resident, the mesh included
+  double memory_start_mb = -1;                     // peak until the first matrix is to be factorized
+  double memory_minimize_mb = -1;                  // peak from there on
 
   double units(double cpu_seconds) const { return cpu_seconds / factorization_cpu_seconds; }
 

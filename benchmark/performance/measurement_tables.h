@@ -52,9 +52,8 @@ struct Measurement
     std::vector<std::size_t> order(runs.size());
     std::iota(order.begin(), order.end(), 0);
     const std::size_t middle = (runs.size() - 1) / 2;
-    std::nth_element(order.begin(), order.begin() + middle, order.end(), [this](std::size_t a, std::size_t b) {
-      return runs[a].summary.cpu_seconds < runs[b].summary.cpu_seconds;
-    });
+    std::nth_element(order.begin(), order.begin() + middle, order.end(),
+                     [this](std::size_t a, std::size_t b) { return runs[a].summary.cpu_seconds < runs[b].summary.cpu_seconds; });
     return runs[order[middle]];
   }
 };
@@ -178,8 +177,7 @@ inline std::vector<std::string> run_row(const std::string& mesh, const Measureme
 }
 
 // Adds what was measured on one mesh to the tables of all. `best` is the lowest energy known from elsewhere, or infinite.
-inline void add_measurements(const std::string& mesh, const std::vector<Measurement>& measurements, double best, Table& runs,
-                             Table& traces)
+inline void add_measurements(const std::string& mesh, const std::vector<Measurement>& measurements, double best, Table& runs, Table& traces)
 {
   best = (std::min)(best, best_energy(measurements));
   for(const Measurement& m : measurements) {

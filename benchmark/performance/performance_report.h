@@ -114,17 +114,30 @@ private:
   // Medians over the meshes of a set, or of all sets but the ladder. What was not reached counts as infinite.
   void write_medians()
   {
-    std::vector<std::string> columns = {"set",   "rule",    "meshes",        "valid",         "flips",          "iterations", "factorizations",
-                                        "units", "to 1 %",  "to 10<sup>-4</sup>", "to 10<sup>-6</sup>", "to the end", "CPU s", "seconds"};
+    std::vector<std::string> columns = {"set",
+                                        "rule",
+                                        "meshes",
+                                        "valid",
+                                        "flips",
+                                        "iterations",
+                                        "factorizations",
+                                        "units",
+                                        "to 1 %",
+                                        "to 10<sup>-4</sup>",
+                                        "to 10<sup>-6</sup>",
+                                        "to the end",
+                                        "CPU s",
+                                        "seconds"};
     for(std::size_t t = 1; t < m_threads.size(); ++t)
       columns.push_back("speedup, " + count_of_threads(m_threads[t]));
     for(const char* column : {"published: factorizations", "units", "theirs / ours: units", "CPU s"})
       columns.push_back(column);
-    m_html += "<h2>Medians</h2>\n<p class='muted'>With " + count_of_threads(m_threads[0]) +
-              " where nothing else is said. What a run does not reach counts as infinite, as does all of a run that did not end by its rule. "
-              "Published figures are medians over those meshes of the set for which there are any; ratios are medians of those of each "
-              "mesh.</p>\n" +
-              header(columns);
+    m_html +=
+      "<h2>Medians</h2>\n<p class='muted'>With " + count_of_threads(m_threads[0]) +
+      " where nothing else is said. What a run does not reach counts as infinite, as does all of a run that did not end by its rule. "
+      "Published figures are medians over those meshes of the set for which there are any; ratios are medians of those of each "
+      "mesh.</p>\n" +
+      header(columns);
     std::vector<std::string> sets = m_sets;
     if(sets.size() > 1)
       sets.push_back("");
@@ -143,8 +156,9 @@ private:
         ratios.push_back(m_runs.number(i, "seconds") / m_runs.number(i, "cpu_seconds"));
     const double ratio = quantile(ratios, 0.5);
     if(ratio > 1.1)
-      m_html += "<p class='worse'>The machine had other work to do: with one thread, runs took " + format(ratio, 3) +
-                " times their CPU time (median). Wall-clock seconds and speedups tell little here; units and CPU seconds suffer less.</p>\n";
+      m_html +=
+        "<p class='worse'>The machine had other work to do: with one thread, runs took " + format(ratio, 3) +
+        " times their CPU time (median). Wall-clock seconds and speedups tell little here; units and CPU seconds suffer less.</p>\n";
   }
 
   void write_medians(const std::string& set, const std::string& rule, bool is_first)
@@ -226,11 +240,29 @@ private:
       m_html += "<p class='muted'>A dot for each mesh: filled by the rule of the published program, hollow by the default rule. Below the "
                 "line we need less work; dashed: half and a quarter of it.</p>\n" +
                 legend(series) + "<div style='max-width:640px'>" + plot.svg() + "</div>\n";
-    m_html += "<p class='muted'>The units of each program are its own factorizations. CPU seconds of theirs are those of the machine and the "
-              "day on which they were measured.</p>\n" +
-              header({"mesh", "published: factorizations", "CPU s", "unit, CPU s", "units", "to 1 %", "to 10<sup>-4</sup>", "E",
-                      "here, rule energy: factorizations", "CPU s", "unit, CPU s", "units", "to 1 %", "to 10<sup>-4</sup>",
-                      "E / published - 1", "rule default: factorizations", "units", "E / published - 1", "theirs / ours: units", "CPU s"});
+    m_html +=
+      "<p class='muted'>The units of each program are its own factorizations. CPU seconds of theirs are those of the machine and the "
+      "day on which they were measured.</p>\n" +
+      header({"mesh",
+              "published: factorizations",
+              "CPU s",
+              "unit, CPU s",
+              "units",
+              "to 1 %",
+              "to 10<sup>-4</sup>",
+              "E",
+              "here, rule energy: factorizations",
+              "CPU s",
+              "unit, CPU s",
+              "units",
+              "to 1 %",
+              "to 10<sup>-4</sup>",
+              "E / published - 1",
+              "rule default: factorizations",
+              "units",
+              "E / published - 1",
+              "theirs / ours: units",
+              "CPU s"});
     for(const std::string& mesh : m_meshes)
       if(has_published(mesh))
         write_published(mesh);
@@ -280,10 +312,29 @@ private:
 
   void write_all_runs()
   {
-    m_html += "<h2>All runs</h2>\n<p class='muted'>Medians over the repeats. Peak memory is that of the process; grey: the map is not valid, or "
-              "a limit ended the run.</p>\n" +
-              header({"mesh", "rule", "threads", "status", "faces", "flips", "iterations", "factorizations", "E", "E / best - 1", "units",
-                      "to 1 %", "to 10<sup>-4</sup>", "to 10<sup>-6</sup>", "to the end", "seconds", "CPU s", "unit, CPU s", "speedup", "peak MB"});
+    m_html +=
+      "<h2>All runs</h2>\n<p class='muted'>Medians over the repeats. Peak memory is that of the process; grey: the map is not valid, or "
+      "a limit ended the run.</p>\n" +
+      header({"mesh",
+              "rule",
+              "threads",
+              "status",
+              "faces",
+              "flips",
+              "iterations",
+              "factorizations",
+              "E",
+              "E / best - 1",
+              "units",
+              "to 1 %",
+              "to 10<sup>-4</sup>",
+              "to 10<sup>-6</sup>",
+              "to the end",
+              "seconds",
+              "CPU s",
+              "unit, CPU s",
+              "speedup",
+              "peak MB"});
     std::string last;
     for(std::size_t i = 0; i < m_runs.number_of_rows(); ++i) {
       const std::string mesh = m_runs.text(i, "mesh");
@@ -346,10 +397,9 @@ private:
       if(plot.lines.empty() || !std::isfinite(best))
         continue;
       const double last = published(mesh, "energy");
-      const std::array<std::pair<double, double>, 3> known = {
-        {{published_units_to(mesh, "to_1_percent_it(units)"), 1.01 * last},
-         {published_units_to(mesh, "to_1e-4_it(units)"), 1.0001 * last},
-         {published(mesh, "units"), last}}};
+      const std::array<std::pair<double, double>, 3> known = {{{published_units_to(mesh, "to_1_percent_it(units)"), 1.01 * last},
+                                                               {published_units_to(mesh, "to_1e-4_it(units)"), 1.0001 * last},
+                                                               {published(mesh, "units"), last}}};
       for(const auto& p : known)
         if(p.first > 0) {
           const auto q = add(p.first, p.second);

@@ -83,9 +83,10 @@ int main(int argc, char** argv)
   if(sizes.empty())
     sizes = {40000, 320000};
   const char* budget = std::getenv("FFM_MEMORY_BUDGET");
-  std::cout << "# " << benchmark_support::machine() << '\n'
-            << "tetrahedra,vertices,status,energy,min_singular_value,flips,iterations,factorizations,inner_iterations,linear_solver,ordering,"
-               "factor_entries,load_s,assemble_s,analyze_s,factorize_s,solve_s,line_search_s,certify_s,total_s,cpu_s,peak_mb\n";
+  std::cout
+    << "# " << benchmark_support::machine() << '\n'
+    << "tetrahedra,vertices,status,energy,min_singular_value,flips,iterations,factorizations,inner_iterations,linear_solver,ordering,"
+       "factor_entries,load_s,assemble_s,analyze_s,factorize_s,solve_s,line_search_s,certify_s,total_s,cpu_s,peak_mb\n";
   bool all_valid = true;
   for(double size : sizes) {
     const Bar bar = make_bar((std::max)(2, static_cast<int>(std::lround(std::cbrt(size / 30)))));
@@ -105,11 +106,11 @@ int main(int argc, char** argv)
       traits.options.memory_budget = std::atof(budget) * 1024 * 1024 * 1024;
     std::vector<Point_3> result(bar.points.size());
     const FFM::Summary s = FFM::deform_volume(domain, bar.handles, CGAL::make_property_map(result), traits);
-    std::cout << s.elements << ',' << s.vertices << ',' << FFM::status_name(s.status) << ',' << s.energy << ',' << s.min_singular_value << ','
-              << s.flips << ',' << s.iterations << ',' << s.factorizations << ',' << s.inner_iterations << ',' << s.linear_solver << ','
-              << s.ordering << ',' << s.factor_entries << ',' << load_seconds << ',' << s.seconds.assemble << ',' << s.seconds.analyze << ','
-              << s.seconds.factorize << ',' << s.seconds.solve << ',' << s.seconds.line_search << ',' << s.seconds.certify << ','
-              << s.seconds.total << ',' << s.cpu_seconds << ',' << s.peak_memory_mb << std::endl;
+    std::cout << s.elements << ',' << s.vertices << ',' << FFM::status_name(s.status) << ',' << s.energy << ',' << s.min_singular_value
+              << ',' << s.flips << ',' << s.iterations << ',' << s.factorizations << ',' << s.inner_iterations << ',' << s.linear_solver
+              << ',' << s.ordering << ',' << s.factor_entries << ',' << load_seconds << ',' << s.seconds.assemble << ','
+              << s.seconds.analyze << ',' << s.seconds.factorize << ',' << s.seconds.solve << ',' << s.seconds.line_search << ','
+              << s.seconds.certify << ',' << s.seconds.total << ',' << s.cpu_seconds << ',' << s.peak_memory_mb << std::endl;
     all_valid = all_valid && s.is_valid();
   }
   return all_valid ? EXIT_SUCCESS : EXIT_FAILURE;

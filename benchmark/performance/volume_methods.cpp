@@ -130,8 +130,8 @@ bool make_cube(int cells, double weight, Problem& problem, std::string& message)
       for(int k = 0; k <= cells; ++k) {
         const double x = 1. * i / cells - 0.5, y = 1. * j / cells - 0.5, z = 1. * k / cells - 0.5, angle = 0.5 * PI * z;
         if(i % cells == 0 && j % cells == 0)
-          handles.emplace_back(points.size(), Eigen::Vector3d(std::cos(angle) * x - std::sin(angle) * y,
-                                                              std::sin(angle) * x + std::cos(angle) * y, 1.4 * z));
+          handles.emplace_back(
+            points.size(), Eigen::Vector3d(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, 1.4 * z));
         points.push_back({x, y, z});
       }
   const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
@@ -160,8 +160,7 @@ bool make_cube(int cells, double weight, Problem& problem, std::string& message)
 bool read_problem(const std::vector<std::string>& files, double weight, Problem& problem, std::string& message)
 {
   FFM::Tetrahedral_mesh mesh;
-  if(!FFM::read_volume(files[0], mesh, &message) ||
-     problem.domain.load(mesh.points, mesh.tetrahedra, message) != FFM::Status::success)
+  if(!FFM::read_volume(files[0], mesh, &message) || problem.domain.load(mesh.points, mesh.tetrahedra, message) != FFM::Status::success)
     return false;
   const auto& vertices = problem.domain.vertices();
   FFM::Positions<3> points(3, vertices.size());

@@ -164,8 +164,7 @@ inline std::string objective_plot(const std::vector<Volume_run>& runs, bool over
 }
 
 // What SLIM's own program reached, if this is the same problem: the objectives of the starts agree then.
-inline std::string published_table(const std::vector<Volume_run>& runs, const Volume_experiment& experiment,
-                                   const std::string& path)
+inline std::string published_table(const std::vector<Volume_run>& runs, const Volume_experiment& experiment, const std::string& path)
 {
   Table published;
   std::string energy = experiment.energy;
@@ -210,21 +209,22 @@ inline bool write_volume_html(const std::string& path, const Volume_experiment& 
   for(const Volume_run& run : runs)
     series.push_back({escape(description(run.method)), line_style(run.method)});
   out << "<h2>Results</h2>\n"
-      << header({"method", "objective", "energy of elements", "iterations", "factori&shy;zations", "CPU seconds",
-                 "iterations to 1 %", "CPU seconds to 1 %", "flips", "linear solver", "status"});
+      << header({"method", "objective", "energy of elements", "iterations", "factori&shy;zations", "CPU seconds", "iterations to 1 %",
+                 "CPU seconds to 1 %", "flips", "linear solver", "status"});
   for(std::size_t i = 0; i < runs.size(); ++i) {
     out << "<tr>" << cell(escape(description(runs[i].method)))
         << cell(results.text(i, "objective"), runs[i].objective() <= best * (1 + 1e-6) ? "best" : "");
-    for(const char* column : {"energy", "iterations", "factorizations", "cpu_s", "iterations_to_1_percent", "cpu_s_to_1_percent",
-                              "flips", "linear_solver", "status"})
+    for(const char* column : {"energy", "iterations", "factorizations", "cpu_s", "iterations_to_1_percent", "cpu_s_to_1_percent", "flips",
+                              "linear_solver", "status"})
       out << cell(escape(results.text(i, column)));
     out << "</tr>\n";
   }
   out << "</table></div>\n<p class='muted'>Objective: mean energy of the elements and the term of the handles. To 1 %: until it is within "
          "1 % of the best of all for good. CPU seconds are of all threads, with the analysis of the matrix.</p>\n"
-      << "<h2>Objectives</h2>\n" << legend(series) << "<div class='pair'>" << objective_plot(runs, false, 0)
-      << objective_plot(runs, true, 0) << "</div>\n<h2>How far from the best</h2>\n" << legend(series) << "<div class='pair'>"
-      << objective_plot(runs, false, best) << objective_plot(runs, true, best) << "</div>\n"
+      << "<h2>Objectives</h2>\n"
+      << legend(series) << "<div class='pair'>" << objective_plot(runs, false, 0) << objective_plot(runs, true, 0)
+      << "</div>\n<h2>How far from the best</h2>\n"
+      << legend(series) << "<div class='pair'>" << objective_plot(runs, false, best) << objective_plot(runs, true, best) << "</div>\n"
       << published_table(runs, experiment, published) << "</body></html>\n";
   return bool(out.flush());
 }

@@ -85,8 +85,7 @@ bool choose_method(const std::string& method, FFM::Any_map_traits& traits)
   return true;
 }
 
-Outcome run(const Planar_shape& bar, const Experiment& experiment, const std::string& method, bool begins_with_longest_step,
-            double seconds)
+Outcome run(const Planar_shape& bar, const Experiment& experiment, const std::string& method, bool begins_with_longest_step, double seconds)
 {
   Outcome outcome;
   outcome.method = method;
@@ -167,8 +166,7 @@ int main(int argc, char** argv)
                            arap,
                            {},
                            deformed([radius](double x, double y) {
-                             return Eigen::Vector2d((radius - y) * std::sin(x / radius),
-                                                    radius - (radius - y) * std::cos(x / radius));
+                             return Eigen::Vector2d((radius - y) * std::sin(x / radius), radius - (radius - y) * std::cos(x / radius));
                            }),
                            true});
   }
@@ -216,16 +214,16 @@ int main(int argc, char** argv)
         const int to_3 = outcome.iterations_to(end + 1e-3 * first);
         const double time = to_9 >= 0 ? outcome.trace[to_9].first : -1;
         std::cout << experiment.name << ',' << (longest ? "longest" : "armijo") << ',' << outcome.method << ','
-                  << FFM::status_name(outcome.summary.status) << ',' << to_9 << ',' << format(time) << ',' << to_6 << ',' << to_3
-                  << ',' << format((outcome.trace[outcome.trace.size() > 1 ? 1 : 0].second - end) / first) << ','
+                  << FFM::status_name(outcome.summary.status) << ',' << to_9 << ',' << format(time) << ',' << to_6 << ',' << to_3 << ','
+                  << format((outcome.trace[outcome.trace.size() > 1 ? 1 : 0].second - end) / first) << ','
                   << format(outcome.summary.energy, 10) << std::endl;
         figures[outcome.method] = {double(to_9), double(to_6), double(to_3), time};
       }
       const std::vector<double>&cm = figures["cm"], &newton = figures["vertex-space-newton"];
       const auto ratio = [&](int i) { return cm[i] > 0 && newton[i] > 0 ? format(newton[i] / cm[i], 3) : std::string("-"); };
       statements += "# " + experiment.name + ", " + (longest ? "longest" : "armijo") +
-                    ": projected Newton (6 x 6) over cm: iterations to 1e-3 " + ratio(2) + ", to 1e-6 " + ratio(1) +
-                    ", to 1e-9 " + ratio(0) + "; time to 1e-9 " + ratio(3) +
+                    ": projected Newton (6 x 6) over cm: iterations to 1e-3 " + ratio(2) + ", to 1e-6 " + ratio(1) + ", to 1e-9 " +
+                    ratio(0) + "; time to 1e-9 " + ratio(3) +
                     (experiment.ends_at_zero ? " (paper: time more than 4)\n" : " (paper: iterations more than 2)\n");
     }
   std::cout << statements;

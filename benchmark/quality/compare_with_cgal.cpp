@@ -77,9 +77,8 @@ int main(int argc, char* argv[])
     {"Iterative_authalic", run_cgal<SMP::Iterative_authalic_parameterizer_3<Mesh>>},
     {"LSCM", run_cgal<SMP::LSCM_parameterizer_3<Mesh>>},
     {"ARAP", run_cgal<SMP::ARAP_parameterizer_3<Mesh>>},
-    {"Flip_free_maps", [](Mesh& mesh, Mesh::Halfedge_index border, UV_map uv) {
-       return std::string(FFM::status_name(FFM::parameterize(mesh, border, uv).status));
-     }},
+    {"Flip_free_maps", [](Mesh& mesh, Mesh::Halfedge_index border,
+                          UV_map uv) { return std::string(FFM::status_name(FFM::parameterize(mesh, border, uv).status)); }},
     {"Flip_free_maps bijective", [](Mesh& mesh, Mesh::Halfedge_index border, UV_map uv) {
        return std::string(FFM::status_name(FFM::parameterize(mesh, border, uv, FFM::parameters::bijective(true)).status));
      }}};

@@ -200,10 +200,9 @@ private:
           return cell(format(quantile(values(set, method, column), 0.5), digits));
         };
         m_html += std::string("<tr") + (is_first ? " class='set'>" : ">") + cell(is_first ? (set.empty() ? "all" : set) : "") +
-                  cell(method) + cell(format(runs)) + cell(format(good)) + cell(format(optimal)) + median("iterations") +
-                  median("eta") + median("to_1e-4") + median("factorizations") + median("factorization_units") +
-                  median("cpu_seconds") + cell(format(quantile(ratios, 0.5), 6)) + cell(format(quantile(ratios, 1), 5)) +
-                  cell(format(flips)) + "</tr>\n";
+                  cell(method) + cell(format(runs)) + cell(format(good)) + cell(format(optimal)) + median("iterations") + median("eta") +
+                  median("to_1e-4") + median("factorizations") + median("factorization_units") + median("cpu_seconds") +
+                  cell(format(quantile(ratios, 0.5), 6)) + cell(format(quantile(ratios, 1), 5)) + cell(format(flips)) + "</tr>\n";
         is_first = false;
       }
     }
@@ -237,9 +236,7 @@ private:
   void write_pairs()
   {
     std::vector<std::pair<std::string, std::string>> pairs;
-    const auto is_there = [this](const std::string& m) {
-      return std::find(m_methods.begin(), m_methods.end(), m) != m_methods.end();
-    };
+    const auto is_there = [this](const std::string& m) { return std::find(m_methods.begin(), m_methods.end(), m) != m_methods.end(); };
     for(const std::string& method : m_methods)
       if(is_there("p-" + method))
         pairs.push_back({"p-" + method, method});
@@ -311,8 +308,7 @@ private:
         std::string column = method;
         std::replace(column.begin(), column.end(), '-', '_');
         add("Shtengel et al. 2017, table 1", std::string("iterations of ") + method + " over those of cm, median",
-            published_ratio(shtengel, column + "_iterations", "cm_iterations"),
-            quantile(duel(method, "cm", "iterations").ratios, 0.5));
+            published_ratio(shtengel, column + "_iterations", "cm_iterations"), quantile(duel(method, "cm", "iterations").ratios, 0.5));
       }
     if(liu_table.read(m_published + "/liu_2018_table_1.csv"))
       for(const char* method : {"cm", "akvf", "slim"}) {
@@ -328,8 +324,7 @@ private:
       "<h2>Statements of the papers</h2>\n<p class='muted'>Their meshes are not these; similar figures are what can be expected.</p>\n" +
       header({"source", "statement", "published", "here"});
     for(const auto& claim : claims)
-      m_html += "<tr>" + cell(claim[0]) + "<td style='text-align:left'>" + claim[1] + "</td>" + cell(claim[2]) + cell(claim[3]) +
-                "</tr>\n";
+      m_html += "<tr>" + cell(claim[0]) + "<td style='text-align:left'>" + claim[1] + "</td>" + cell(claim[2]) + cell(claim[3]) + "</tr>\n";
     m_html += "</table></div>\n";
   }
 
@@ -358,8 +353,8 @@ private:
     m_html +=
       "<h2>Beside the published program of progressive parameterizations</h2>\n<p class='muted'>Red: more than the published program. "
       "&eta; and iterations to 10<sup>-4</sup> are relative to each run's own final energy.</p>\n" +
-      header({"mesh", "program: factorizations", "units", "&eta;", "to 10<sup>-4</sup>", "E", "pp: factorizations", "units",
-              "&eta;", "to 10<sup>-4</sup>", "E", "default: factorizations", "units", "E"});
+      header({"mesh", "program: factorizations", "units", "&eta;", "to 10<sup>-4</sup>", "E", "pp: factorizations", "units", "&eta;",
+              "to 10<sup>-4</sup>", "E", "default: factorizations", "units", "E"});
     const auto compared = [](double ours, double theirs, int digits, double tolerance = 0) {
       return cell(format(ours, digits), ours > theirs * (1 + tolerance) ? "worse" : "");
     };
@@ -367,17 +362,15 @@ private:
       const std::string mesh = m_reference.text(i, "mesh");
       if(m_rows.count(mesh) == 0)
         continue;
-      const double f = m_reference.number(i, "factorizations"), u = m_reference.number(i, "units"),
-                   e = m_reference.number(i, "energy");
+      const double f = m_reference.number(i, "factorizations"), u = m_reference.number(i, "units"), e = m_reference.number(i, "energy");
       const double eta = m_reference.number(i, "to_1_percent_it(units)"), to = m_reference.number(i, "to_1e-4_it(units)");
-      m_html += "<tr>" + cell(mesh) + (std::isnan(f) ? cell("fails", "off") : cell(format(f))) + cell(format(u)) +
-                cell(format(eta)) + cell(format(to)) + cell(format(e, 7));
+      m_html += "<tr>" + cell(mesh) + (std::isnan(f) ? cell("fails", "off") : cell(format(f))) + cell(format(u)) + cell(format(eta)) +
+                cell(format(to)) + cell(format(e, 7));
       const auto ours = [&](const char* method, const char* column) { return number(mesh, method, column); };
       m_html += compared(ours("pp", "factorizations"), f, 4) + compared(ours("pp", "factorization_units"), u, 3) +
-                compared(ours("pp", "eta"), eta, 4) + compared(ours("pp", "to_1e-4"), to, 4) +
-                compared(ours("pp", "energy"), e, 7, 1e-5) + compared(ours("default", "factorizations"), f, 4) +
-                compared(ours("default", "factorization_units"), u, 3) + compared(ours("default", "energy"), e, 7, 1e-5) +
-                "</tr>\n";
+                compared(ours("pp", "eta"), eta, 4) + compared(ours("pp", "to_1e-4"), to, 4) + compared(ours("pp", "energy"), e, 7, 1e-5) +
+                compared(ours("default", "factorizations"), f, 4) + compared(ours("default", "factorization_units"), u, 3) +
+                compared(ours("default", "energy"), e, 7, 1e-5) + "</tr>\n";
     }
     m_html += "</table></div>\n";
   }
@@ -410,9 +403,8 @@ private:
                                   : !converged(mesh, method) ? "off"
                                                              : "";
         const std::string status = m_results.text(m_rows.at(mesh).at(method), "status");
-        m_html += cell(std::isfinite(energy)
-                         ? format(iterations) + " / " + format(number(mesh, method, "eta")) + " / " + format(energy, 6)
-                         : escape(status),
+        m_html += cell(std::isfinite(energy) ? format(iterations) + " / " + format(number(mesh, method, "eta")) + " / " + format(energy, 6)
+                                             : escape(status),
                        style);
       }
       m_html += "</tr>\n";

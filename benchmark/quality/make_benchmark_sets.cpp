@@ -170,7 +170,8 @@ class Maker
 {
 public:
   explicit Maker(const Settings& settings)
-    : m_settings(settings), m_random(settings.seed),
+    : m_settings(settings),
+      m_random(settings.seed),
       m_table({"file", "set", "source", "status", "vertices", "faces", "seam_edges", "seam_length", "seconds"})
   {}
 

@@ -160,8 +160,7 @@ void compare_with_best(Table& results, std::size_t first_result, const Table& tr
 
 struct Settings
 {
-  std::vector<std::string> methods = {"default",          "pp", "cm", "p-cm", "slim", "p-slim", "akvf", "p-akvf",
-                                      "projected-newton", "aqp"};
+  std::vector<std::string> methods = {"default", "pp", "cm", "p-cm", "slim", "p-slim", "akvf", "p-akvf", "projected-newton", "aqp"};
   std::string criterion = "energy";
   double tolerance = 1e-6;
   double seconds = 60;
@@ -207,13 +206,12 @@ void run_all(Mesh& mesh, const std::string& name, const Settings& settings, Tabl
     auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
     const FFM::Summary summary = FFM::parameterize(mesh, border, uv, traits);
     mesh.remove_property_map(uv);
-    std::cerr << name << ' ' << method << ": " << FFM::status_name(summary.status) << ", " << summary.iterations
-              << " iterations, " << summary.factorizations << " factorizations, energy " << summary.energy << ", "
-              << summary.seconds.total << " s\n";
+    std::cerr << name << ' ' << method << ": " << FFM::status_name(summary.status) << ", " << summary.iterations << " iterations, "
+              << summary.factorizations << " factorizations, energy " << summary.energy << ", " << summary.seconds.total << " s\n";
     results.add_row(result_row(name, method, summary, trace));
     for(const Trace_point& p : trace)
-      traces.add_row({name, method, std::to_string(p.iteration), std::to_string(p.factorizations), format(p.seconds, 5),
-                      format(p.energy, 13)});
+      traces.add_row(
+        {name, method, std::to_string(p.iteration), std::to_string(p.factorizations), format(p.seconds, 5), format(p.energy, 13)});
   }
   compare_with_best(results, first_result, traces, first_point);
 }
@@ -241,9 +239,7 @@ int main(int argc, char** argv)
     ->allow_extra_args(false)
     ->delimiter(',')
     ->capture_default_str();
-  app
-    .add_option("--criterion", settings.criterion,
-                "stop by the characteristic gradient or by the relative decrease of the energy")
+  app.add_option("--criterion", settings.criterion, "stop by the characteristic gradient or by the relative decrease of the energy")
     ->check(CLI::IsMember({"characteristic", "energy"}))
     ->capture_default_str();
   app.add_option("--tolerance", settings.tolerance, "its tolerance")->capture_default_str();

@@ -120,10 +120,7 @@ public:
   }
 
 private:
-  std::size_t index(const std::string& name) const
-  {
-    return std::find(m_columns.begin(), m_columns.end(), name) - m_columns.begin();
-  }
+  std::size_t index(const std::string& name) const { return std::find(m_columns.begin(), m_columns.end(), name) - m_columns.begin(); }
 
   static void write_line(std::ostream& out, const std::vector<std::string>& cells)
   {

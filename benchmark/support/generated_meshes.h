@@ -80,8 +80,7 @@ void make_tube(Mesh& mesh, int around)
 {
   const double pi = 3.14159265358979323846, cap = pi / 2, length = cap + 12;
   make_revolution(
-    mesh, around, static_cast<int>(around * length / (2 * pi)),
-    [=](double t) { return length * t < cap ? std::sin(length * t) : 1.; },
+    mesh, around, static_cast<int>(around * length / (2 * pi)), [=](double t) { return length * t < cap ? std::sin(length * t) : 1.; },
     [=](double t) { return length * t < cap ? std::cos(length * t) : cap - length * t; });
 }
 
@@ -105,9 +104,7 @@ void make_bumpy_sheet(Mesh& mesh, double faces)
       const double z = 0.23 * std::sin(3 * PI * x) * std::sin(2 * PI * y + 1) + 0.055 * std::sin(7 * PI * x + 2 * y) * std::cos(5 * PI * y);
       mesh.add_vertex(Point(x, y, z));
     }
-  const auto at = [cells](int i, int j) {
-    return typename Mesh::Vertex_index(static_cast<typename Mesh::size_type>(j) * (cells + 1) + i);
-  };
+  const auto at = [cells](int i, int j) { return typename Mesh::Vertex_index(static_cast<typename Mesh::size_type>(j) * (cells + 1) + i); };
   for(int j = 0; j < cells; ++j)
     for(int i = 0; i < cells; ++i) {
       const auto a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);

@@ -60,8 +60,8 @@ inline std::string machine()
 #ifndef NDEBUG
   text += " with assertions";
 #endif
-  text += "; CGAL " CGAL_VERSION_STR "; Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." +
-          std::to_string(EIGEN_MAJOR_VERSION) + "." + std::to_string(EIGEN_MINOR_VERSION) + "; Boost " BOOST_LIB_VERSION;
+  text += "; CGAL " CGAL_VERSION_STR "; Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+          std::to_string(EIGEN_MINOR_VERSION) + "; Boost " BOOST_LIB_VERSION;
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
   text += "; CHOLMOD " + std::to_string(CHOLMOD_MAIN_VERSION) + "." + std::to_string(CHOLMOD_SUB_VERSION) + "." +
           std::to_string(CHOLMOD_SUBSUB_VERSION);

@@ -34,9 +34,9 @@ struct Style
 
 inline Style style_of(const std::string& method)
 {
-  static const std::map<std::string, std::string> colors = {
-    {"default", "#111827"},          {"pp", "#d62728"},  {"cm", "#1f77b4"},     {"slim", "#2ca02c"},   {"akvf", "#8e44ad"},
-    {"projected-newton", "#17a2b8"}, {"aqp", "#e67e00"}, {"newton", "#8c564b"}, {"sobolev", "#7f7f7f"}};
+  static const std::map<std::string, std::string> colors = {{"default", "#111827"}, {"pp", "#d62728"},     {"cm", "#1f77b4"},
+                                                            {"slim", "#2ca02c"},    {"akvf", "#8e44ad"},   {"projected-newton", "#17a2b8"},
+                                                            {"aqp", "#e67e00"},     {"newton", "#8c564b"}, {"sobolev", "#7f7f7f"}};
   const bool is_progressive = method.compare(0, 2, "p-") == 0;
   const auto found = colors.find(is_progressive ? method.substr(2) : method);
   const std::string dashes = is_progressive ? "6 3" : method == "projected-newton" ? "1.5 4" : "";
@@ -101,8 +101,7 @@ public:
     const int decades = last - first, stride = (std::max)(1, (decades + 5) / 7);
     for(int k = first; k <= last; k += stride)
       for(double factor : {1., 2., 5.})
-        if((factor == 1 || decades <= 2) && factor * std::pow(10., k) >= 0.999 * m_low &&
-           factor * std::pow(10., k) <= 1.001 * m_high)
+        if((factor == 1 || decades <= 2) && factor * std::pow(10., k) >= 0.999 * m_low && factor * std::pow(10., k) <= 1.001 * m_high)
           result.push_back(factor * std::pow(10., k));
     return result;
   }
@@ -162,19 +161,18 @@ public:
     out.precision(5);
     out << "<svg class='plot' viewBox='0 0 " << LEFT + WIDTH + RIGHT << ' ' << TOP + height + BOTTOM
         << "' xmlns='http://www.w3.org/2000/svg'"
-        << " font-family='Helvetica, Arial, sans-serif' font-size='11'>\n<defs><clipPath id='" << clip << "'><rect x='" << LEFT
-        << "' y='" << TOP << "' width='" << WIDTH << "' height='" << height << "'/></clipPath></defs>\n";
+        << " font-family='Helvetica, Arial, sans-serif' font-size='11'>\n<defs><clipPath id='" << clip << "'><rect x='" << LEFT << "' y='"
+        << TOP << "' width='" << WIDTH << "' height='" << height << "'/></clipPath></defs>\n";
     for(double tick : x.ticks())
-      out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << height << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick)
-          << "' y='" << TOP + height + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
+      out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << height << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick) << "' y='"
+          << TOP + height + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
     for(double tick : y.ticks())
-      out << "<path d='M" << LEFT << ' ' << TOP + height - y(tick) << 'h' << WIDTH << "' stroke='#e5e7eb'/><text x='" << LEFT - 6
-          << "' y='" << TOP + height - y(tick) + 4 << "' text-anchor='end' fill='#4b5563'>" << y.label(tick) << "</text>\n";
-    out << "<rect x='" << LEFT << "' y='" << TOP << "' width='" << WIDTH << "' height='" << height
-        << "' fill='none' stroke='#9ca3af'/>\n"
+      out << "<path d='M" << LEFT << ' ' << TOP + height - y(tick) << 'h' << WIDTH << "' stroke='#e5e7eb'/><text x='" << LEFT - 6 << "' y='"
+          << TOP + height - y(tick) + 4 << "' text-anchor='end' fill='#4b5563'>" << y.label(tick) << "</text>\n";
+    out << "<rect x='" << LEFT << "' y='" << TOP << "' width='" << WIDTH << "' height='" << height << "' fill='none' stroke='#9ca3af'/>\n"
         << "<text x='" << LEFT + WIDTH / 2 << "' y='" << TOP + height + 36 << "' text-anchor='middle' fill='#111827'>" << x_label
-        << "</text>\n<text transform='translate(13 " << TOP + height / 2 << ") rotate(-90)' text-anchor='middle' fill='#111827'>"
-        << y_label << "</text>\n<g clip-path='url(#" << clip << ")' stroke-linejoin='round'>\n";
+        << "</text>\n<text transform='translate(13 " << TOP + height / 2 << ") rotate(-90)' text-anchor='middle' fill='#111827'>" << y_label
+        << "</text>\n<g clip-path='url(#" << clip << ")' stroke-linejoin='round'>\n";
     for(const Line& line : lines) {
       out << "<path " << stroke(line.style) << " d='";
       double last_x = -1e9, last_y = -1e9;
@@ -219,12 +217,11 @@ inline std::string box_plot(const std::vector<std::string>& names, const std::ma
   const double height = ROW * static_cast<double>(names.size());
   std::ostringstream out;
   out.precision(5);
-  out << "<svg class='plot' viewBox='0 0 " << LEFT + WIDTH + RIGHT << ' ' << TOP + height + BOTTOM
-      << "' xmlns='http://www.w3.org/2000/svg'"
+  out << "<svg class='plot' viewBox='0 0 " << LEFT + WIDTH + RIGHT << ' ' << TOP + height + BOTTOM << "' xmlns='http://www.w3.org/2000/svg'"
       << " font-family='Helvetica, Arial, sans-serif' font-size='11'>\n";
   for(double tick : x.ticks())
-    out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << height << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick)
-        << "' y='" << TOP + height + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
+    out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << height << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick) << "' y='"
+        << TOP + height + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
   for(std::size_t i = 0; i < names.size(); ++i) {
     const double y = TOP + ROW * (static_cast<double>(i) + 0.5);
     const Style style = style_of(names[i]);
@@ -241,12 +238,10 @@ inline std::string box_plot(const std::vector<std::string>& names, const std::ma
         << style.color << "' stroke-width='3'/>\n";
     for(double value : v)
       if(std::isfinite(value) && value > 0)
-        out << "<circle cx='" << LEFT + x(value) << "' cy='" << y << "' r='1.7' fill='" << style.color
-            << "' fill-opacity='0.7'/>";
+        out << "<circle cx='" << LEFT + x(value) << "' cy='" << y << "' r='1.7' fill='" << style.color << "' fill-opacity='0.7'/>";
     out << '\n';
   }
-  out << "<rect x='" << LEFT << "' y='" << TOP << "' width='" << WIDTH << "' height='" << height
-      << "' fill='none' stroke='#9ca3af'/>\n"
+  out << "<rect x='" << LEFT << "' y='" << TOP << "' width='" << WIDTH << "' height='" << height << "' fill='none' stroke='#9ca3af'/>\n"
       << "<text x='" << LEFT + WIDTH / 2 << "' y='" << TOP + height + 34 << "' text-anchor='middle' fill='#111827'>" << label
       << "</text>\n</svg>\n";
   return out.str();
@@ -273,15 +268,15 @@ inline std::string stacked_bars(const std::vector<std::string>& names, const std
   out << "<svg class='plot' viewBox='0 0 " << LEFT + WIDTH + RIGHT << ' ' << TOP + height + BOTTOM
       << "' xmlns='http://www.w3.org/2000/svg' font-family='Helvetica, Arial, sans-serif' font-size='11'>\n";
   for(double tick : x.ticks())
-    out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << height << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick)
-        << "' y='" << TOP + height + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
+    out << "<path d='M" << LEFT + x(tick) << ' ' << TOP << 'v' << height << "' stroke='#e5e7eb'/><text x='" << LEFT + x(tick) << "' y='"
+        << TOP + height + 16 << "' text-anchor='middle' fill='#4b5563'>" << x.label(tick) << "</text>\n";
   for(std::size_t i = 0; i < names.size(); ++i) {
     const double y = TOP + ROW * (static_cast<double>(i) + 0.5);
     out << "<text x='" << LEFT - 8 << "' y='" << y + 4 << "' text-anchor='end' fill='#111827'>" << names[i] << "</text>\n";
     double sum = 0;
     for(std::size_t j = 0; j < values[i].size(); ++j) {
-      out << "<rect x='" << LEFT + x(sum) << "' y='" << y - 6 << "' width='" << x(values[i][j]) << "' height='12' fill='"
-          << styles[j].color << "'/>";
+      out << "<rect x='" << LEFT + x(sum) << "' y='" << y - 6 << "' width='" << x(values[i][j]) << "' height='12' fill='" << styles[j].color
+          << "'/>";
       sum += values[i][j];
     }
     out << "<text x='" << LEFT + x(sum) + 5 << "' y='" << y + 4 << "' fill='#4b5563'>" << format(sum, 3) << "</text>\n";

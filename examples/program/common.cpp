@@ -52,10 +52,7 @@ namespace program {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-int exit_code(Status status)
-{
-  return FFM::is_valid_map(status) ? 0 : static_cast<int>(status) - static_cast<int>(Status::empty_mesh) + 3;
-}
+int exit_code(Status status) { return FFM::is_valid_map(status) ? 0 : static_cast<int>(status) - static_cast<int>(Status::empty_mesh) + 3; }
 
 std::string exit_codes_text()
 {
@@ -83,10 +80,7 @@ void write_json(const std::string& path, const nlohmann::json& json)
 
 namespace {
 
-bool is_finite(const Kernel::Point_3& p)
-{
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
+bool is_finite(const Kernel::Point_3& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
 
 std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygons)
 {
@@ -132,7 +126,8 @@ bool read_soup(const std::string& path, std::vector<Kernel::Point_3>& points, st
 {
   std::ifstream in(path, std::ios::binary);
   check(bool(in), "cannot open " + path);
-  return (FFM::internal::lower_case_extension(path) != ".ply" || is_header_ordered(in)) && CGAL::IO::read_polygon_soup(path, points, polygons);
+  return (FFM::internal::lower_case_extension(path) != ".ply" || is_header_ordered(in)) &&
+         CGAL::IO::read_polygon_soup(path, points, polygons);
 }
 
 namespace {
@@ -181,8 +176,7 @@ std::string repair_polygons(Triangles& triangles)
   const std::size_t points_before = points.size(), polygons_before = polygons.size();
   polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
                                 [&](const std::vector<std::size_t>& polygon) {
-                                  return !std::all_of(polygon.begin(), polygon.end(),
-                                                      [&](std::size_t v) { return is_finite(points[v]); });
+                                  return !std::all_of(polygon.begin(), polygon.end(), [&](std::size_t v) { return is_finite(points[v]); });
                                 }),
                  polygons.end());
   const std::size_t finite_polygons = polygons.size();
@@ -348,12 +342,10 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
     .add_option("--method", arguments.method,
                 "the methods of the literature by their names; a p- in front: with progressive references. The options below change parts "
                 "of the method. splitting may begin with flips, and drops handles at their targets")
-    ->check(CLI::IsMember({"default", "pp", "cm", "slim", "akvf", "p-cm", "p-slim", "p-akvf", "aqp", "sobolev", "newton",
-                           "projected-newton", "splitting"}))
+    ->check(CLI::IsMember(
+      {"default", "pp", "cm", "slim", "akvf", "p-cm", "p-slim", "p-akvf", "aqp", "sobolev", "newton", "projected-newton", "splitting"}))
     ->capture_default_str();
-  command.add_option("--energy", arguments.energy, "what is minimised")
-    ->check(CLI::IsMember(names(energies(0))))
-    ->capture_default_str();
+  command.add_option("--energy", arguments.energy, "what is minimised")->check(CLI::IsMember(names(energies(0))))->capture_default_str();
   command
     .add_option("--energy-parameter", arguments.energy_parameter,
                 "the factor of exponential energies, mu of neo-hookean (kappa is 1); by default 1")
@@ -420,7 +412,8 @@ std::string why_not_available(const Method_arguments& arguments, int dimension)
   if(traits.preconditioner.is_planar() && dimension != 2)
     return name + " is a method of the plane";
   if(traits.preconditioner.is_planar() && !traits.energy.is_convex_concave())
-    return name + " needs an energy with a convex-concave decomposition, which " + arguments.energy + " has not; choose newton, slim or killing";
+    return name + " needs an energy with a convex-concave decomposition, which " + arguments.energy +
+           " has not; choose newton, slim or killing";
   return "";
 }
 
@@ -542,7 +535,8 @@ void run_guarded(const Method_arguments& arguments, const std::function<void()>&
   }
 }
 
-int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json, const std::string& text)
+int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json,
+           const std::string& text)
 {
   try {
     write_json(arguments.json, json);

@@ -134,7 +134,8 @@ void run_guarded(const Method_arguments& arguments, const std::function<void()>&
                  const std::function<void(Status, const std::string&)>& fail);
 
 // Writes a report, prints it, and returns the exit code.
-int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json, const std::string& text);
+int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json,
+           const std::string& text);
 
 // Runs `body` on the asked number of threads, turns failures into a summary, writes it, prints it, and returns the exit code.
 int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body);

@@ -22,8 +22,7 @@ namespace program {
 
 namespace {
 
-class Deform
-  : public Command
+class Deform : public Command
 {
 public:
   explicit Deform(CLI::App& application)
@@ -149,9 +148,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Command> deform_command(CLI::App& app)
-{
-  return std::make_unique<Deform>(app);
-}
+std::unique_ptr<Command> deform_command(CLI::App& app) { return std::make_unique<Deform>(app); }
 
 } // namespace program

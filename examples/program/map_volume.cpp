@@ -19,8 +19,7 @@ namespace program {
 
 namespace {
 
-class Map_volume
-  : public Command
+class Map_volume : public Command
 {
 public:
   explicit Map_volume(CLI::App& application)
@@ -140,9 +139,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Command> map_volume_command(CLI::App& app)
-{
-  return std::make_unique<Map_volume>(app);
-}
+std::unique_ptr<Command> map_volume_command(CLI::App& app) { return std::make_unique<Map_volume>(app); }
 
 } // namespace program

@@ -17,8 +17,7 @@ namespace program {
 
 namespace {
 
-class Measure
-  : public Command
+class Measure : public Command
 {
 public:
   explicit Measure(CLI::App& application)
@@ -38,12 +37,19 @@ public:
       report = FFM::measure_distortion(mesh);
     std::string reason;
     const bool is_bijective = report.status == Status::success && FFM::is_bijective(mesh, &reason);
-    nlohmann::json json = {{"status", FFM::status_name(report.status)}, {"message", report.message}, {"faces", report.elements},
-                           {"flips", report.flips}, {"bijective", is_bijective}, {"energy", report.energy},
-                           {"energy_of_similarity", report.energy_of_similarity}, {"max_energy", report.max_energy},
+    nlohmann::json json = {{"status", FFM::status_name(report.status)},
+                           {"message", report.message},
+                           {"faces", report.elements},
+                           {"flips", report.flips},
+                           {"bijective", is_bijective},
+                           {"energy", report.energy},
+                           {"energy_of_similarity", report.energy_of_similarity},
+                           {"max_energy", report.max_energy},
                            {"mean_angle_distortion", report.mean_angle_distortion},
-                           {"mean_area_distortion", report.mean_area_distortion}, {"min_singular_value", report.min_singular_value},
-                           {"max_singular_value", report.max_singular_value}, {"rest_area", report.rest_area},
+                           {"mean_area_distortion", report.mean_area_distortion},
+                           {"min_singular_value", report.min_singular_value},
+                           {"max_singular_value", report.max_singular_value},
+                           {"rest_area", report.rest_area},
                            {"image_area", report.image_area}};
     try {
       write_json(m_json, json);
@@ -57,9 +63,10 @@ public:
     }
     std::cout << report.elements << " faces, " << report.flips << " flipped; "
               << (is_bijective ? "the map is bijective" : "the map is not bijective: " + reason) << '\n'
-              << "symmetric Dirichlet energy " << report.energy << " (" << report.energy_of_similarity << " after the best scaling), largest "
-              << report.max_energy << '\n'
-              << "mean angle distortion " << report.mean_angle_distortion << ", mean area distortion " << report.mean_area_distortion << '\n'
+              << "symmetric Dirichlet energy " << report.energy << " (" << report.energy_of_similarity
+              << " after the best scaling), largest " << report.max_energy << '\n'
+              << "mean angle distortion " << report.mean_angle_distortion << ", mean area distortion " << report.mean_area_distortion
+              << '\n'
               << "singular values [" << report.min_singular_value << ", " << report.max_singular_value << "]\n";
     return report.flips == 0 ? 0 : exit_code(Status::start_not_flip_free);
   }
@@ -70,9 +77,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Command> measure_command(CLI::App& app)
-{
-  return std::make_unique<Measure>(app);
-}
+std::unique_ptr<Command> measure_command(CLI::App& app) { return std::make_unique<Measure>(app); }
 
 } // namespace program

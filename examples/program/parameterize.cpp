@@ -50,8 +50,7 @@ Vertex vertex_of(double number, const Mesh& mesh, const std::string& path)
   return Vertex(static_cast<Mesh::size_type>(number));
 }
 
-class Parameterize
-  : public Command
+class Parameterize : public Command
 {
 public:
   explicit Parameterize(CLI::App& application)
@@ -60,9 +59,10 @@ public:
     add_layout_options(*app, m_layout, "mesh: OFF, OBJ, PLY or STL", "OBJ with texture coordinates, in the units of the surface");
     add_method_options(*app, m_method);
     app
-      ->add_option("--start", m_start,
-                   "Tutte embedding, from coarse to fine, or an OBJ of the same mesh with the texture coordinates to begin with; 'auto' is from "
-                   "coarse to fine for the default method on large meshes, and either where the other fails")
+      ->add_option(
+        "--start", m_start,
+        "Tutte embedding, from coarse to fine, or an OBJ of the same mesh with the texture coordinates to begin with; 'auto' is from "
+        "coarse to fine for the default method on large meshes, and either where the other fails")
       ->capture_default_str();
     app->add_option("--border", m_border, "border of the start")
       ->check(CLI::IsMember({"circle", "triangle", "square", "octagon"}))
@@ -129,9 +129,7 @@ private:
     const int corners = m_border == "triangle" ? 3 : m_border == "octagon" ? 8 : 0;
     for(int i = 0; i < corners; ++i)
       start.polygon.push_back({std::cos(2 * CGAL_PI * i / corners), std::sin(2 * CGAL_PI * i / corners)});
-    start.border = corners > 0            ? FFM::Border_shape::polygon
-                   : m_border == "square" ? FFM::Border_shape::square
-                                          : FFM::Border_shape::circle;
+    start.border = corners > 0 ? FFM::Border_shape::polygon : m_border == "square" ? FFM::Border_shape::square : FFM::Border_shape::circle;
     if(m_start == "tutte" || (m_start == "auto" && (m_fix_border || !m_fixed.empty())))
       start.multilevel_size = -1;
     else if(m_start == "multilevel")
@@ -147,9 +145,8 @@ private:
         soft.emplace_back(vertex_of(row[0], mesh, m_soft), Kernel::Point_2(row[1], row[2]), row[3]);
 
     const auto constraints = FFM::parameters::border_is_fixed(
-      m_fix_border, FFM::parameters::soft_positions(
-                      soft, CGAL::parameters::vertex_is_constrained_map(
-                              boost::make_iterator_property_map(is_fixed.begin(), get(boost::vertex_index, mesh)))));
+      m_fix_border, FFM::parameters::soft_positions(soft, CGAL::parameters::vertex_is_constrained_map(boost::make_iterator_property_map(
+                                                            is_fixed.begin(), get(boost::vertex_index, mesh)))));
     if constexpr(std::is_same<Traits, FFM::Splitting_map_traits<FFM::Any_map_traits>>::value)
       return parameterize(patch, traits, constraints);
     else
@@ -176,9 +173,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Command> parameterize_command(CLI::App& app)
-{
-  return std::make_unique<Parameterize>(app);
-}
+std::unique_ptr<Command> parameterize_command(CLI::App& app) { return std::make_unique<Parameterize>(app); }
 
 } // namespace program

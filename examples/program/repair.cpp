@@ -13,8 +13,7 @@ namespace program {
 
 namespace {
 
-class Repair
-  : public Command
+class Repair : public Command
 {
 public:
   explicit Repair(CLI::App& application)
@@ -63,9 +62,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Command> repair_command(CLI::App& app)
-{
-  return std::make_unique<Repair>(app);
-}
+std::unique_ptr<Command> repair_command(CLI::App& app) { return std::make_unique<Repair>(app); }
 
 } // namespace program

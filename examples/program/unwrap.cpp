@@ -46,23 +46,23 @@ void read_seams(const std::string& path, const Mesh& mesh, Edge_map seams)
     check(bool(words >> w) && (words >> std::ws).eof(), where + ": the numbers of two vertices are expected");
     const long long size = static_cast<long long>(mesh.number_of_vertices());
     check(v >= 0 && w >= 0 && v < size && w < size, where + " names a vertex that does not exist");
-    const Mesh::Halfedge_index h =
-      mesh.halfedge(Vertex(static_cast<Mesh::size_type>(v)), Vertex(static_cast<Mesh::size_type>(w)));
+    const Mesh::Halfedge_index h = mesh.halfedge(Vertex(static_cast<Mesh::size_type>(v)), Vertex(static_cast<Mesh::size_type>(w)));
     check(h != Mesh::null_halfedge(), where + ": there is no edge between these vertices");
     seams[mesh.edge(h)] = true;
   }
 }
 
-class Unwrap
-  : public Command
+class Unwrap : public Command
 {
 public:
   explicit Unwrap(CLI::App& application)
   {
     app = application.add_subcommand("unwrap", "Make a texture atlas of any surface: cut it open, flatten it, pack the charts");
-    app->add_option("input", m_input, "mesh: OFF, OBJ, PLY or STL; closed or with holes, of any genus, of any number of components")->required();
+    app->add_option("input", m_input, "mesh: OFF, OBJ, PLY or STL; closed or with holes, of any genus, of any number of components")
+      ->required();
     app->add_option("-o,--output", m_output, "OBJ with texture coordinates in the unit square");
-    app->add_option("--margin", m_options.packing.margin, "least distance between charts, in parts of the square's side")->capture_default_str();
+    app->add_option("--margin", m_options.packing.margin, "least distance between charts, in parts of the square's side")
+      ->capture_default_str();
     app->add_flag("--no-rotation", m_no_rotation, "do not turn charts other than by quarters");
     app->add_flag("--no-pack", m_no_pack, "leave the charts where they are, upon each other, in the units of the surface");
     app->add_option("--max-distortion", m_options.max_distortion,
@@ -71,11 +71,14 @@ public:
     app->add_option("--branches", m_branches, "what seams reach beside what the topology asks for")
       ->check(CLI::IsMember({"none", "extremities", "curvature-peaks", "farthest-points"}))
       ->capture_default_str();
-    app->add_option("--points", m_options.cut.number_of_points, "for farthest-points: how many; for the others: at most so many, 0 is no limit")
+    app
+      ->add_option("--points", m_options.cut.number_of_points,
+                   "for farthest-points: how many; for the others: at most so many, 0 is no limit")
       ->capture_default_str();
     app->add_flag("--cut-disks", m_options.cut.cut_disks, "lead seams into pieces that are disks already, too");
-    app->add_flag("--repair", m_repair,
-                  "first remove what makes a mesh unfit: duplicated points and faces, faces without area, sheets that meet, different orientations");
+    app->add_flag(
+      "--repair", m_repair,
+      "first remove what makes a mesh unfit: duplicated points and faces, faces without area, sheets that meet, different orientations");
     add_limit_options(*app, m_limits);
     add_picture_options(*app, m_pictures);
   }
@@ -155,9 +158,6 @@ private:
 
 } // namespace
 
-std::unique_ptr<Command> unwrap_command(CLI::App& app)
-{
-  return std::make_unique<Unwrap>(app);
-}
+std::unique_ptr<Command> unwrap_command(CLI::App& app) { return std::make_unique<Unwrap>(app); }
 
 } // namespace program

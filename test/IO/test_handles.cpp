@@ -128,24 +128,23 @@ BOOST_AUTO_TEST_CASE(nearest_vertex_among_many)
 
 BOOST_AUTO_TEST_CASE(broken_files)
 {
-  const std::pair<std::string, std::string> cases[] = {
-    {"", "no handle"},
-    {"# nothing\n", "no handle"},
-    {"1 5 6\n\n4 0 0\n", "line 3: vertex index 4 is out of range, there are 4 vertices"},
-    {"-1 5 6\n", "line 1: vertex index -1"},
-    {"99999999999999999999 5 6\n", "line 1"},
-    {"1.5 5 6\n", "line 1: '1.5' is not the index of a vertex"},
-    {"1 5\n", "line 1: expected 'index x y'"},
-    {"1 5 6 7\n", "line 1"},
-    {"0 0 0 -> 1 1 1\n", "line 1"},
-    {"0 0 - > 1 1\n", "line 1"},
-    {"0 0 => 1 1\n", "line 1"},
-    {"0 0 -> 1\n1\n", "line 1"},
-    {"0 nan -> 1 1\n", "line 1: 'nan' is not a finite number"},
-    {"0 0 -> 1 inf\n", "line 1: 'inf' is not a finite number"},
-    {"0 x y\n", "line 1: 'x' is not a finite number"},
-    {"0.1 0 -> 1 1\n0 0.2 -> 2 2\n", "line 2: this is vertex 0, as in line 1"},
-    {"1 1 1\n3 3 3\n0.9 0.1 -> 2 2\n", "line 3: this is vertex 1, as in line 1"}};
+  const std::pair<std::string, std::string> cases[] = {{"", "no handle"},
+                                                       {"# nothing\n", "no handle"},
+                                                       {"1 5 6\n\n4 0 0\n", "line 3: vertex index 4 is out of range, there are 4 vertices"},
+                                                       {"-1 5 6\n", "line 1: vertex index -1"},
+                                                       {"99999999999999999999 5 6\n", "line 1"},
+                                                       {"1.5 5 6\n", "line 1: '1.5' is not the index of a vertex"},
+                                                       {"1 5\n", "line 1: expected 'index x y'"},
+                                                       {"1 5 6 7\n", "line 1"},
+                                                       {"0 0 0 -> 1 1 1\n", "line 1"},
+                                                       {"0 0 - > 1 1\n", "line 1"},
+                                                       {"0 0 => 1 1\n", "line 1"},
+                                                       {"0 0 -> 1\n1\n", "line 1"},
+                                                       {"0 nan -> 1 1\n", "line 1: 'nan' is not a finite number"},
+                                                       {"0 0 -> 1 inf\n", "line 1: 'inf' is not a finite number"},
+                                                       {"0 x y\n", "line 1: 'x' is not a finite number"},
+                                                       {"0.1 0 -> 1 1\n0 0.2 -> 2 2\n", "line 2: this is vertex 0, as in line 1"},
+                                                       {"1 1 1\n3 3 3\n0.9 0.1 -> 2 2\n", "line 3: this is vertex 1, as in line 1"}};
   for(const auto& broken : cases) {
     FFM::Handles<2> handles;
     handles.vertices = {77};
@@ -164,9 +163,14 @@ BOOST_AUTO_TEST_CASE(broken_files)
 BOOST_AUTO_TEST_CASE(handles_of_real_meshes)
 {
   const std::string root = std::string(FLIP_FREE_MAPS_SHARED_DATA_DIR) + "/";
-  const struct { const char* mesh; const char* handles; std::size_t count; } cases[] = {
-    {"cases/tet/spot.mesh", "cases/handles/spot.handles", 9}, {"cases/tet/bar_twist.mesh", "cases/handles/bar_twist.handles", 162},
-    {"tet_bar.mesh", "tet_bar_twist.handles", 50}};
+  const struct
+  {
+    const char* mesh;
+    const char* handles;
+    std::size_t count;
+  } cases[] = {{"cases/tet/spot.mesh", "cases/handles/spot.handles", 9},
+               {"cases/tet/bar_twist.mesh", "cases/handles/bar_twist.handles", 162},
+               {"tet_bar.mesh", "tet_bar_twist.handles", 50}};
   for(const auto& c : cases) {
     if(!std::filesystem::exists(root + c.handles)) {
       BOOST_TEST_MESSAGE("skipped, there is no " << root + c.handles);

@@ -38,8 +38,8 @@
 namespace FFM = CGAL::Flip_free_maps;
 namespace fs = std::filesystem;
 
-typedef std::vector<std::array<double, 2> > Points_2;
-typedef std::vector<std::array<int, 3> >    Triangles;
+typedef std::vector<std::array<double, 2>> Points_2;
+typedef std::vector<std::array<int, 3>> Triangles;
 
 namespace {
 
@@ -76,26 +76,21 @@ void write_file(const std::string& path, const std::string& content)
   stream << content;
 }
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // Any finite bit pattern: all exponents, denormals and both zeros.
 double random_double(std::mt19937_64& generator)
 {
   double value;
-  do
-  {
+  do {
     const std::uint64_t bits = generator();
     std::memcpy(&value, &bits, sizeof(value));
-  }
-  while(!std::isfinite(value));
+  } while(!std::isfinite(value));
   return value;
 }
 
 template <std::size_t N>
-bool are_same_bits(const std::vector<std::array<double, N> >& a, const std::vector<std::array<double, N> >& b)
+bool are_same_bits(const std::vector<std::array<double, N>>& a, const std::vector<std::array<double, N>>& b)
 {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
@@ -126,8 +121,7 @@ BOOST_AUTO_TEST_CASE(OBJ_round_trip_is_exact)
   const Directory directory;
   std::mt19937_64 generator(1);
   FFM::Textured_mesh mesh;
-  for(int i = 0; i < 2000; ++i)
-  {
+  for(int i = 0; i < 2000; ++i) {
     mesh.points.push_back({{random_double(generator), random_double(generator), random_double(generator)}});
     mesh.texture.push_back({{random_double(generator), random_double(generator)}});
   }
@@ -137,8 +131,7 @@ BOOST_AUTO_TEST_CASE(OBJ_round_trip_is_exact)
   mesh.texture.push_back({{1e300, 3 * denormal}});
   mesh.texture.push_back({{(std::numeric_limits<double>::min)(), -0.}});
   std::uniform_int_distribution<int> point(0, static_cast<int>(mesh.points.size()) - 1);
-  for(int i = 0; i < 3000; ++i)
-  {
+  for(int i = 0; i < 3000; ++i) {
     mesh.triangles.push_back({{point(generator), point(generator), point(generator)}});
     mesh.texture_triangles.push_back({{point(generator), point(generator), point(generator)}});
   }
@@ -197,8 +190,7 @@ BOOST_AUTO_TEST_CASE(OBJ_texture_scale)
 
 BOOST_AUTO_TEST_CASE(OBJ_number_of_squares)
 {
-  for(const double extent : {1e-3, 0.1, 0.16, 0.3, 1., 1.7, 5., 19., 20., 21., 1e6})
-  {
+  for(const double extent : {1e-3, 0.1, 0.16, 0.3, 1., 1.7, 5., 19., 20., 21., 1e6}) {
     const FFM::internal::Checkerboard_choice choice = FFM::internal::choose_checkerboard(extent);
     BOOST_TEST(choice.squares % 2 == 0);
     BOOST_TEST(choice.squares >= 2);
@@ -215,8 +207,7 @@ BOOST_AUTO_TEST_CASE(OBJ_writer_refuses_invalid_meshes)
   const Directory directory;
   const std::string path = directory.file("a.obj");
   std::string message;
-  const auto is_refused = [&](const FFM::Textured_mesh& mesh, const std::string& reason, double scale = 1.)
-  {
+  const auto is_refused = [&](const FFM::Textured_mesh& mesh, const std::string& reason, double scale = 1.) {
     message.clear();
     return !FFM::write_textured_OBJ(path, mesh, &message, scale) && contains(message, reason) && fs::is_empty(directory.path);
   };
@@ -242,9 +233,8 @@ BOOST_AUTO_TEST_CASE(OBJ_writer_refuses_invalid_meshes)
   BOOST_TEST(is_refused(mesh, "texture coordinate 2 is not finite", 1e10));
 
   mesh = square_mesh();
-  for(const std::string& bad_path : {directory.file("missing/a.obj"), directory.path.string(), directory.file("a.mtl"),
-                                     directory.file("a\nb.obj"), std::string()})
-  {
+  for(const std::string& bad_path :
+      {directory.file("missing/a.obj"), directory.path.string(), directory.file("a.mtl"), directory.file("a\nb.obj"), std::string()}) {
     message.clear();
     BOOST_TEST(!FFM::write_textured_OBJ(bad_path, mesh, &message));
     BOOST_TEST(!message.empty());
@@ -257,16 +247,15 @@ BOOST_AUTO_TEST_CASE(OBJ_dialects)
   FFM::Textured_mesh mesh;
   std::string message;
   const Triangles expected = {{{0, 1, 2}}, {{0, 2, 3}}};
-  const std::string texts[] = {
-    square_header + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n",
-    square_header + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4",
-    square_header + "f -4/-4 -3/-3 -2/-2\nf -4/1 3/-2 -1/4\n",
-    square_header + "vn 0 0 1\nf 1/1/1 2/2/-1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n",
-    "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n" + square_header,
-    "\xEF\xBB\xBF" + square_header + "f 1/1 2/2 \\\n 3/3\nf\\\r\n1/1\t3/3 4/4  # f 1 2 3 \\\n",
-    "# C:\\models\\\n" + square_header + "o a\ng b\ns off\nusemtl c\nl 1 2\nf +1/1 2/2 3/3\n\n  f 1/1 3/3 4/4\n"};
-  for(const std::string& text : texts)
-  {
+  const std::string texts[] = {square_header + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n",
+                               square_header + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4",
+                               square_header + "f -4/-4 -3/-3 -2/-2\nf -4/1 3/-2 -1/4\n",
+                               square_header + "vn 0 0 1\nf 1/1/1 2/2/-1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n",
+                               "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n" + square_header,
+                               "\xEF\xBB\xBF" + square_header + "f 1/1 2/2 \\\n 3/3\nf\\\r\n1/1\t3/3 4/4  # f 1 2 3 \\\n",
+                               "# C:\\models\\\n" + square_header +
+                                 "o a\ng b\ns off\nusemtl c\nl 1 2\nf +1/1 2/2 3/3\n\n  f 1/1 3/3 4/4\n"};
+  for(const std::string& text : texts) {
     mesh = FFM::Textured_mesh();
     BOOST_TEST_REQUIRE(read_text(text, mesh, message), message << "\n" << text);
     BOOST_TEST(message.empty());
@@ -277,8 +266,7 @@ BOOST_AUTO_TEST_CASE(OBJ_dialects)
   }
 
   // Line ends of Windows and of the old Macintosh.
-  for(const std::string line_end : {"\r\n", "\r"})
-  {
+  for(const std::string line_end : {"\r\n", "\r"}) {
     std::string text;
     for(const char c : texts[0])
       text += c == '\n' ? line_end : std::string(1, c);
@@ -289,8 +277,8 @@ BOOST_AUTO_TEST_CASE(OBJ_dialects)
   }
 
   // Negative indices count from the place of the face.
-  BOOST_TEST_REQUIRE(read_text("v 9 9 9\n" + square_header + "f -1/-1 -2/-2 -3/-3\nv 0 0 0\nvt 0 0\nf -1/-1 1/1 2/2\n",
-                               mesh, message), message);
+  BOOST_TEST_REQUIRE(read_text("v 9 9 9\n" + square_header + "f -1/-1 -2/-2 -3/-3\nv 0 0 0\nvt 0 0\nf -1/-1 1/1 2/2\n", mesh, message),
+                     message);
   BOOST_TEST((mesh.triangles == Triangles{{{4, 3, 2}}, {{5, 0, 1}}}));
   BOOST_TEST((mesh.texture_triangles == Triangles{{{3, 2, 1}}, {{4, 0, 1}}}));
 
@@ -302,48 +290,50 @@ BOOST_AUTO_TEST_CASE(OBJ_dialects)
 
 BOOST_AUTO_TEST_CASE(OBJ_broken_files)
 {
-  struct Broken { std::string text; std::string reason; };
-  const std::string& h = square_header; // 8 lines
-  const Broken list[] = {
-    {"", "no triangle"},
-    {h, "no triangle"},
-    {h + "f 1/1 2/2 3/3 4/4\n", "line 9: the face has 4 corners"},
-    {h + "f 1/1 2/2 3/3\nf 1/1 2/2\n", "line 10: the face has 2 corners"},
-    {h + "f\n", "line 9: the face has 0 corners"},
-    {h + "f 1 2 3\n", "line 9: corner '1' has no texture"},
-    {h + "vn 0 0 1\nf 1//1 2//1 3//1\n", "line 10: corner '1//1' has no texture"},
-    {h + "f 1/1 2/ 3/3\n", "line 9: corner '2/' has no texture"},
-    {h + "f 1/1 2/2 5/3\n", "line 9: v index 5 is out of range"},
-    {h + "f 1/1 2/2 3/3\nf 1/1 2/2 3/5\n", "line 10: vt index 5 is out of range"},
-    {h + "f 0/1 2/2 3/3\n", "line 9: v index '0' is out of range"},
-    {h + "f 1/0 2/2 3/3\n", "line 9: vt index '0' is out of range"},
-    {h + "f -5/1 2/2 3/3\n", "line 9: v index '-5' is out of range"},
-    {"f -1/-1 -1/-1 -1/-1\n" + h, "line 1: v index '-1' is out of range"},
-    {h + "f 99999999999/1 2/2 3/3\n", "line 9: v index '99999999999' is out of range"},
-    {h + "f 99999999999999999999999/1 2/2 3/3\n", "is out of range"},
-    {h + "f -9223372036854775808/1 2/2 3/3\n", "is out of range"},
-    {h + "f 1/1 2/2 x/3\n", "line 9: corner 'x/3' has no valid v index"},
-    {h + "f 1/1 2/2 3.5/3\n", "has no valid v index"},
-    {h + "f 1/1 2/2 3/3/x\n", "has no valid vn index"},
-    {h + "f 1/1 2/2 3/3/1/1\n", "has no valid vn index"},
-    {h + "f /// 2/2 3/3\n", "has no valid v index"},
-    {"v 1 2\n" + h, "line 1: 'v' needs 3 numbers, found 2"},
-    {h + "vt 1\n", "line 9: 'vt' needs 2 numbers, found 1"},
-    {h + "v 0 nan 0\n", "line 9: 'nan' is not a finite number"},
-    {h + "vt inf 0\n", "line 9: 'inf' is not a finite number"},
-    {h + "vt 0 -infinity\n", "is not a finite number"},
-    {h + "v 1e999 0 0\n", "line 9: '1e999' is not in the range"},
-    {h + "v 1,5 0 0\n", "line 9: '1,5' is not a number"},
-    {h + "v 1.0x 0 0\n", "is not a number"},
-    {h + "v 0x10 0 0\n", "is not a number"},
-    {h + "v + - 0\n", "'+' is not a number"},
-    {h + "v +-1 0 0\n", "is not a number"},
-    {h + "\\\nv 1 \\\n2\n", "line 9: 'v' needs 3 numbers"},
-    {std::string("v \0 \x01\xFF 0\n", 10), "line 1: '?' is not a number"},
-    {h + "v " + std::string(100000, 'x') + " 0 0\n", "x...' is not a number"}};
-  FFM::Textured_mesh mesh = square_mesh();
-  for(const Broken& broken : list)
+  struct Broken
   {
+    std::string text;
+    std::string reason;
+  };
+  const std::string& h = square_header; // 8 lines
+  const Broken list[] = {{"", "no triangle"},
+                         {h, "no triangle"},
+                         {h + "f 1/1 2/2 3/3 4/4\n", "line 9: the face has 4 corners"},
+                         {h + "f 1/1 2/2 3/3\nf 1/1 2/2\n", "line 10: the face has 2 corners"},
+                         {h + "f\n", "line 9: the face has 0 corners"},
+                         {h + "f 1 2 3\n", "line 9: corner '1' has no texture"},
+                         {h + "vn 0 0 1\nf 1//1 2//1 3//1\n", "line 10: corner '1//1' has no texture"},
+                         {h + "f 1/1 2/ 3/3\n", "line 9: corner '2/' has no texture"},
+                         {h + "f 1/1 2/2 5/3\n", "line 9: v index 5 is out of range"},
+                         {h + "f 1/1 2/2 3/3\nf 1/1 2/2 3/5\n", "line 10: vt index 5 is out of range"},
+                         {h + "f 0/1 2/2 3/3\n", "line 9: v index '0' is out of range"},
+                         {h + "f 1/0 2/2 3/3\n", "line 9: vt index '0' is out of range"},
+                         {h + "f -5/1 2/2 3/3\n", "line 9: v index '-5' is out of range"},
+                         {"f -1/-1 -1/-1 -1/-1\n" + h, "line 1: v index '-1' is out of range"},
+                         {h + "f 99999999999/1 2/2 3/3\n", "line 9: v index '99999999999' is out of range"},
+                         {h + "f 99999999999999999999999/1 2/2 3/3\n", "is out of range"},
+                         {h + "f -9223372036854775808/1 2/2 3/3\n", "is out of range"},
+                         {h + "f 1/1 2/2 x/3\n", "line 9: corner 'x/3' has no valid v index"},
+                         {h + "f 1/1 2/2 3.5/3\n", "has no valid v index"},
+                         {h + "f 1/1 2/2 3/3/x\n", "has no valid vn index"},
+                         {h + "f 1/1 2/2 3/3/1/1\n", "has no valid vn index"},
+                         {h + "f /// 2/2 3/3\n", "has no valid v index"},
+                         {"v 1 2\n" + h, "line 1: 'v' needs 3 numbers, found 2"},
+                         {h + "vt 1\n", "line 9: 'vt' needs 2 numbers, found 1"},
+                         {h + "v 0 nan 0\n", "line 9: 'nan' is not a finite number"},
+                         {h + "vt inf 0\n", "line 9: 'inf' is not a finite number"},
+                         {h + "vt 0 -infinity\n", "is not a finite number"},
+                         {h + "v 1e999 0 0\n", "line 9: '1e999' is not in the range"},
+                         {h + "v 1,5 0 0\n", "line 9: '1,5' is not a number"},
+                         {h + "v 1.0x 0 0\n", "is not a number"},
+                         {h + "v 0x10 0 0\n", "is not a number"},
+                         {h + "v + - 0\n", "'+' is not a number"},
+                         {h + "v +-1 0 0\n", "is not a number"},
+                         {h + "\\\nv 1 \\\n2\n", "line 9: 'v' needs 3 numbers"},
+                         {std::string("v \0 \x01\xFF 0\n", 10), "line 1: '?' is not a number"},
+                         {h + "v " + std::string(100000, 'x') + " 0 0\n", "x...' is not a number"}};
+  FFM::Textured_mesh mesh = square_mesh();
+  for(const Broken& broken : list) {
     std::string message;
     BOOST_TEST(!read_text(broken.text, mesh, message), "accepted: " << broken.text);
     BOOST_TEST(contains(message, broken.reason), "'" << message << "' does not contain '" << broken.reason << "'");
@@ -352,8 +342,7 @@ BOOST_AUTO_TEST_CASE(OBJ_broken_files)
   BOOST_TEST((mesh.triangles == square_mesh().triangles), "a failure changed the mesh");
 
   const Directory directory;
-  for(const std::string& path : {directory.file("missing.obj"), directory.path.string(), std::string()})
-  {
+  for(const std::string& path : {directory.file("missing.obj"), directory.path.string(), std::string()}) {
     std::string message;
     BOOST_TEST(!FFM::read_textured_OBJ(path, mesh, &message));
     BOOST_TEST(contains(message, "cannot "), message);
@@ -366,8 +355,7 @@ BOOST_AUTO_TEST_CASE(OBJ_garbage)
   std::mt19937_64 generator(7);
   const std::string alphabet = "vvttffn 0123456789//--..eE+#\\\r\n\n\t \xFF";
   const std::string valid = square_header + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
-  for(int i = 0; i < 2000; ++i)
-  {
+  for(int i = 0; i < 2000; ++i) {
     std::string text = i % 2 == 0 ? std::string() : valid;
     if(text.empty())
       for(int k = 0; k < 200; ++k)
@@ -390,9 +378,7 @@ namespace {
 class Image
 {
 public:
-  explicit Image(const std::string& path)
-    : m_surface(cairo_image_surface_create_from_png(path.c_str()), &cairo_surface_destroy)
-  {}
+  explicit Image(const std::string& path) : m_surface(cairo_image_surface_create_from_png(path.c_str()), &cairo_surface_destroy) {}
 
   bool is_valid() const { return cairo_surface_status(m_surface.get()) == CAIRO_STATUS_SUCCESS; }
   int width() const { return cairo_image_surface_get_width(m_surface.get()); }
@@ -401,8 +387,9 @@ public:
   std::uint32_t color(int x, int y) const
   {
     std::uint32_t pixel;
-    std::memcpy(&pixel, cairo_image_surface_get_data(m_surface.get()) +
-                        std::ptrdiff_t(cairo_image_surface_get_stride(m_surface.get())) * y + 4 * x, 4);
+    std::memcpy(&pixel,
+                cairo_image_surface_get_data(m_surface.get()) + std::ptrdiff_t(cairo_image_surface_get_stride(m_surface.get())) * y + 4 * x,
+                4);
     return pixel & 0xFFFFFFu;
   }
 
@@ -422,10 +409,8 @@ struct Placement
 {
   explicit Placement(const Image& image)
   {
-    for(int y = 0; y < image.height(); ++y)
-    {
-      for(int x = 0; x < image.width() * 825 / 1000; ++x)
-      {
+    for(int y = 0; y < image.height(); ++y) {
+      for(int x = 0; x < image.width() * 825 / 1000; ++x) {
         if(image.color(x, y) == 0xFFFFFF)
           continue;
         left = (std::min)(left, x);
@@ -453,10 +438,8 @@ void make_grid(int n, Points_2& uv, Triangles& triangles)
   for(int j = 0; j <= n; ++j)
     for(int i = 0; i <= n; ++i)
       uv.push_back({{i + 0.3 * std::sin(1.7 * j), j + 0.3 * std::cos(2.3 * i)}});
-  for(int j = 0; j < n; ++j)
-  {
-    for(int i = 0; i < n; ++i)
-    {
+  for(int j = 0; j < n; ++j) {
+    for(int i = 0; i < n; ++i) {
       const int a = j * (n + 1) + i;
       triangles.push_back({{a, a + 1, a + n + 2}});
       triangles.push_back({{a, a + n + 2, a + n + 1}});
@@ -504,8 +487,7 @@ BOOST_AUTO_TEST_CASE(PNG_orientation_is_exact)
   const Points_2 uv = {{{0.5, 0.5}}, {{12, 12}}, {{24, 24}}, {{0.5 + h / 2, 0.5}}, {{0, 24}}};
   const Directory directory;
   FFM::Layout_picture_options options;
-  const auto has_magenta = [&](const Triangles& triangles)
-  {
+  const auto has_magenta = [&](const Triangles& triangles) {
     BOOST_REQUIRE(FFM::write_layout_PNG(directory.file("a.png"), uv, triangles, std::vector<double>(2, 1.), options));
     const Image image(directory.file("a.png"));
     for(int y = 0; y < image.height(); ++y)
@@ -527,13 +509,11 @@ BOOST_AUTO_TEST_CASE(PNG_colors_deepen_with_distortion)
   Triangles triangles;
   std::vector<double> distortion;
   const int n = 12;
-  for(int i = 0; i <= n; ++i)
-  {
+  for(int i = 0; i <= n; ++i) {
     uv.push_back({{double(i), 0.}});
     uv.push_back({{double(i), 3.}});
   }
-  for(int i = 0; i < n; ++i)
-  {
+  for(int i = 0; i < n; ++i) {
     triangles.push_back({{2 * i, 2 * i + 2, 2 * i + 3}});
     triangles.push_back({{2 * i, 2 * i + 3, 2 * i + 1}});
     distortion.insert(distortion.end(), 2, std::pow(1.2, i));
@@ -545,8 +525,7 @@ BOOST_AUTO_TEST_CASE(PNG_colors_deepen_with_distortion)
   const Placement place(image);
   BOOST_TEST((place.right - place.left) / double(place.bottom - place.top) == 4., boost::test_tools::tolerance(0.02));
   double previous = 256.;
-  for(int i = 0; i < n; ++i)
-  {
+  for(int i = 0; i < n; ++i) {
     const double current = image.brightness(place.x((i + 0.25) / n), place.y(0.7));
     BOOST_TEST(current < previous - 8.);
     previous = current;
@@ -592,14 +571,13 @@ BOOST_AUTO_TEST_CASE(pictures_of_extreme_layouts)
   const Directory directory;
   const std::string path = directory.file("a.png");
   const double denormal = std::numeric_limits<double>::denorm_min();
-  const std::array<double, 2> sizes[] = {{{1, 1e-6}}, {{1e-6, 1}}, {{1e300, 1e300}}, {{1e-300, 1e-300}}, {{1, 0}}, {{0, 1}},
-                                         {{0, 0}}, {{4 * denormal, 4 * denormal}}, {{1e200, 1e-200}}};
+  const std::array<double, 2> sizes[] = {{{1, 1e-6}},      {{1e-6, 1}}, {{1e300, 1e300}}, {{1e-300, 1e-300}},
+                                         {{1, 0}},         {{0, 1}},    {{0, 0}},         {{4 * denormal, 4 * denormal}},
+                                         {{1e200, 1e-200}}};
   FFM::Layout_picture_options options;
   options.title = "bad \xFF utf-8, good \xC3\xBC\xE2\x89\xA5, cut \xE2\x89";
-  for(const int width : {320, 1600})
-  {
-    for(const std::array<double, 2>& size : sizes)
-    {
+  for(const int width : {320, 1600}) {
+    for(const std::array<double, 2>& size : sizes) {
       Points_2 uv = square;
       for(std::array<double, 2>& p : uv)
         for(int c = 0; c < 2; ++c)
@@ -652,11 +630,9 @@ BOOST_AUTO_TEST_CASE(pictures_refuse_invalid_arguments)
   const Directory directory;
   const std::string path = directory.file("a.png");
   const auto is_refused = [&](const Points_2& uv, const Triangles& triangles, const std::vector<double>& distortion,
-                              const FFM::Layout_picture_options& options, const std::string& reason)
-  {
+                              const FFM::Layout_picture_options& options, const std::string& reason) {
     bool result = true;
-    for(const bool is_SVG : {false, true})
-    {
+    for(const bool is_SVG : {false, true}) {
       std::string message;
       const auto write = is_SVG ? &FFM::write_layout_SVG : &FFM::write_layout_PNG;
       result = !write(path, uv, triangles, distortion, options, &message) && contains(message, reason) && result;
@@ -686,8 +662,7 @@ BOOST_AUTO_TEST_CASE(pictures_report_unwritable_paths)
   std::vector<std::string> paths = {directory.file("missing/a.png"), directory.path.string(), ""};
   if(fs::is_character_file("/dev/full"))
     paths.push_back("/dev/full");
-  for(const std::string& path : paths)
-  {
+  for(const std::string& path : paths) {
     std::string message;
     BOOST_TEST(!FFM::write_layout_PNG(path, square, not_flipped, {1., 1.}, {}, &message));
     BOOST_TEST(contains(message, "cannot "), message);
@@ -720,8 +695,7 @@ BOOST_AUTO_TEST_CASE(checkerboard_pixels)
       number_of_errors += image.color(x, y) != colors[(x / 8 + y / 8) % 2];
   BOOST_TEST(number_of_errors == 0);
 
-  for(const std::array<int, 2>& bad : {std::array<int, 2>{{0, 1}}, {{8, 0}}, {{8, 9}}, {{-5, 2}}, {{1 << 20, 8}}})
-  {
+  for(const std::array<int, 2>& bad : {std::array<int, 2>{{0, 1}}, {{8, 0}}, {{8, 9}}, {{-5, 2}}, {{1 << 20, 8}}}) {
     message.clear();
     BOOST_TEST(!FFM::write_checkerboard_PNG(path, bad[0], bad[1], &message));
     BOOST_TEST(!message.empty());

@@ -259,7 +259,8 @@ BOOST_AUTO_TEST_CASE(vtu_with_values_and_broken_vtu_files)
   BOOST_TEST(!std::filesystem::exists(directory.file("b.vtu")));
 
   // A tetrahedron, a triangle and a line, laid out as other programs do, with attributes in another order.
-  const std::string other = "<?xml version='1.0'?>\n<!-- <Piece> -->\n<VTKFile type='UnstructuredGrid' version='1.0'>\n<UnstructuredGrid>\n"
+  const std::string other =
+    "<?xml version='1.0'?>\n<!-- <Piece> -->\n<VTKFile type='UnstructuredGrid' version='1.0'>\n<UnstructuredGrid>\n"
     "<Piece NumberOfCells='3' NumberOfPoints='4'><Points><DataArray NumberOfComponents='3' format='ascii' type='Float32'>\n"
     "0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points>\n<PointData><DataArray format='appended' Name='x' offset='0'/></PointData>\n"
     "<Cells><DataArray Name='offsets' format='ascii'>4 7 9</DataArray><DataArray Name='types' format='ascii'>10 5 3</DataArray>\n"

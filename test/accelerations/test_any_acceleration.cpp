@@ -96,7 +96,8 @@ void check_all_preconditioners(const Distorted_example<D>& example, double minim
   for(const auto& named : preconditioners()) {
     if(D == 3 && named.second.is_planar())
       continue;
-    BOOST_TEST_CONTEXT(named.first << " in dimension " << D) {
+    BOOST_TEST_CONTEXT(named.first << " in dimension " << D)
+    {
       FFM::Positions<D> x;
       const FFM::Any_map_traits traits = traits_with(named.second, FFM::Inexact_newton());
       FFM::Summary summary = minimized(example, traits, x);
@@ -126,10 +127,7 @@ BOOST_AUTO_TEST_CASE(all_preconditioners_in_the_plane)
 }
 
 // The rest shape is a map, an isometry.
-BOOST_AUTO_TEST_CASE(all_preconditioners_in_space)
-{
-  check_all_preconditioners(Distorted_example<3>(4, 3, 2), 1);
-}
+BOOST_AUTO_TEST_CASE(all_preconditioners_in_space) { check_all_preconditioners(Distorted_example<3>(4, 3, 2), 1); }
 
 BOOST_AUTO_TEST_CASE(run_time_choice_gives_the_compiled_result)
 {

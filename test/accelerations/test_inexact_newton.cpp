@@ -24,7 +24,6 @@
 
 #include <algorithm>
 
-
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
 
@@ -59,7 +58,8 @@ Dense make_dense(int n, int changed)
 }
 
 template <typename Acceleration, typename Rule>
-using Traits = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, FFM::Projected_newton, CGAL::Default, CGAL::Default, Acceleration, Rule>;
+using Traits =
+  FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, FFM::Projected_newton, CGAL::Default, CGAL::Default, Acceleration, Rule>;
 
 template <typename Acceleration, typename Rule>
 FFM::Summary minimized(const FFM::Simplicial_domain<2>& domain, double tolerance, int iterations, FFM::Positions<2>& x,

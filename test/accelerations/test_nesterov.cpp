@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(displacements)
   };
   BOOST_TEST(nesterov.direction(x_0, x_1, half, direction));
   BOOST_TEST((direction + 0.5 * x_1).norm() == 0);
-  BOOST_TEST(!nesterov.direction(x_0, x_1, [](const Eigen::VectorXd&, Eigen::VectorXd&) { return false; }, direction));
+  BOOST_TEST(!nesterov.direction(
+    x_0, x_1, [](const Eigen::VectorXd&, Eigen::VectorXd&) { return false; }, direction));
 }
 
 BOOST_AUTO_TEST_CASE(aqp_is_faster_than_the_sobolev_gradient)

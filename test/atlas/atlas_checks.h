@@ -59,9 +59,9 @@ struct Atlas_surface
   FFM::Unwrap_summary unwrap(const FFM::Unwrap_options& options = FFM::Unwrap_options(),
                              const FFM::Flip_free_map_traits<>& traits = FFM::Flip_free_map_traits<>())
   {
-    return FFM::unwrap(mesh, uv, options, traits,
-                       FFM::parameters::face_chart_map(
-                         chart, FFM::parameters::edge_is_seam_map(seam, CGAL::parameters::edge_is_constrained_map(user))));
+    return FFM::unwrap(
+      mesh, uv, options, traits,
+      FFM::parameters::face_chart_map(chart, FFM::parameters::edge_is_seam_map(seam, CGAL::parameters::edge_is_constrained_map(user))));
   }
 
   bool is_untouched() const
@@ -185,11 +185,10 @@ inline void check_atlas(const Atlas_surface& surface, const FFM::Unwrap_summary&
   for(const auto e : mesh.edges()) {
     const Halfedge h = mesh.halfedge(e, 0), g = mesh.halfedge(e, 1);
     const bool is_inner = !mesh.is_border(h) && !mesh.is_border(g);
-    const bool is_seam =
-      is_inner && (surface.uv[h] != surface.uv[mesh.prev(g)] || surface.uv[g] != surface.uv[mesh.prev(h)]);
+    const bool is_seam = is_inner && (surface.uv[h] != surface.uv[mesh.prev(g)] || surface.uv[g] != surface.uv[mesh.prev(h)]);
     seams += is_seam;
-    are_seams_right = are_seams_right && surface.seam[e] == is_seam &&
-                      (!is_inner || is_seam || surface.chart[mesh.face(h)] == surface.chart[mesh.face(g)]);
+    are_seams_right =
+      are_seams_right && surface.seam[e] == is_seam && (!is_inner || is_seam || surface.chart[mesh.face(h)] == surface.chart[mesh.face(g)]);
   }
   BOOST_TEST(are_seams_right);
   BOOST_TEST(summary.seam_edges == seams);

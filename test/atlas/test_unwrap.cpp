@@ -32,7 +32,8 @@ BOOST_AUTO_TEST_CASE(closed_surfaces_of_every_genus)
   for(int genus : {0, 1, 2, 5}) {
     Atlas_surface surface(genus == 0 ? ball_soup() : plate_soup(genus));
     const FFM::Unwrap_summary summary = surface.unwrap();
-    BOOST_TEST_CONTEXT("genus " << genus) {
+    BOOST_TEST_CONTEXT("genus " << genus)
+    {
       check_atlas(surface, summary);
       BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::success));
       BOOST_TEST(summary.cut.genus == genus);
@@ -65,10 +66,12 @@ BOOST_AUTO_TEST_CASE(components_and_holes)
   BOOST_TEST(isometric.energy <= 1 + 1e-4);
   // A tube has two borders, too, but must be cut.
   soup = voxel_soup(3, 3, 6, [](int, int, int) { return true; });
-  soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(), [&](const std::array<int, 3>& t) {
-                         const double z = soup.points[t[0]].z();
-                         return z == soup.points[t[1]].z() && z == soup.points[t[2]].z();
-                       }), soup.triangles.end());
+  soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(),
+                                      [&](const std::array<int, 3>& t) {
+                                        const double z = soup.points[t[0]].z();
+                                        return z == soup.points[t[1]].z() && z == soup.points[t[2]].z();
+                                      }),
+                       soup.triangles.end());
   Atlas_surface tube(soup);
   const FFM::Unwrap_summary unrolled = tube.unwrap();
   check_atlas(tube, unrolled);
@@ -150,7 +153,8 @@ BOOST_AUTO_TEST_CASE(packing)
     for(const Halfedge h : CGAL::halfedges_around_face(surface.mesh.halfedge(f), surface.mesh))
       boxes[surface.chart[f]] += surface.uv[h].bbox();
   for(std::size_t c = 0; c < boxes.size(); ++c) {
-    BOOST_TEST((boxes[c].xmin() >= 0.0249999 && boxes[c].ymin() >= 0.0249999 && boxes[c].xmax() <= 0.9750001 && boxes[c].ymax() <= 0.9750001));
+    BOOST_TEST(
+      (boxes[c].xmin() >= 0.0249999 && boxes[c].ymin() >= 0.0249999 && boxes[c].xmax() <= 0.9750001 && boxes[c].ymax() <= 0.9750001));
     for(std::size_t d = 0; d < c; ++d)
       BOOST_TEST((std::max)({boxes[c].xmin() - boxes[d].xmax(), boxes[d].xmin() - boxes[c].xmax(), boxes[c].ymin() - boxes[d].ymax(),
                              boxes[d].ymin() - boxes[c].ymax()}) >= 0.0499999);

@@ -36,10 +36,7 @@ bool is_convex(const FFM::Simplicial_domain<2>& domain, const FFM::Positions<2>&
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(optima)
-{
-  check_all_optima<2>();
-}
+BOOST_AUTO_TEST_CASE(optima) { check_all_optima<2>(); }
 
 BOOST_AUTO_TEST_CASE(fixed_borders)
 {

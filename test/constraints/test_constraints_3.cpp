@@ -16,13 +16,11 @@
 
 using namespace test_support;
 
-BOOST_AUTO_TEST_CASE(optima)
-{
-  check_all_optima<3>();
-}
+BOOST_AUTO_TEST_CASE(optima) { check_all_optima<3>(); }
 
 BOOST_AUTO_TEST_CASE(invalid_constraints)
 {
   check_message<3>({{0, 1000}, {}}, "fixed vertex has the number 1000");
-  check_message<3>({{}, {{3, Eigen::Vector3d(0, 0, std::numeric_limits<double>::infinity()), 1}}}, "number 0, of vertex number 3, is not finite");
+  check_message<3>({{}, {{3, Eigen::Vector3d(0, 0, std::numeric_limits<double>::infinity()), 1}}},
+                   "number 0, of vertex number 3, is not finite");
 }

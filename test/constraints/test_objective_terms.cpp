@@ -73,12 +73,6 @@ void check_derivatives()
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(derivatives_2)
-{
-  check_derivatives<2>();
-}
+BOOST_AUTO_TEST_CASE(derivatives_2) { check_derivatives<2>(); }
 
-BOOST_AUTO_TEST_CASE(derivatives_3)
-{
-  check_derivatives<3>();
-}
+BOOST_AUTO_TEST_CASE(derivatives_3) { check_derivatives<3>(); }

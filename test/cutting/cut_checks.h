@@ -61,9 +61,7 @@ inline Soup voxel_soup(int nx, int ny, int nz, const std::function<bool(int, int
       soup.points.emplace_back(p[0], p[1], p[2]);
     return entry.first->second;
   };
-  const auto solid = [&](int x, int y, int z) {
-    return x >= 0 && y >= 0 && z >= 0 && x < nx && y < ny && z < nz && is_solid(x, y, z);
-  };
+  const auto solid = [&](int x, int y, int z) { return x >= 0 && y >= 0 && z >= 0 && x < nx && y < ny && z < nz && is_solid(x, y, z); };
   for(int x = 0; x < nx; ++x)
     for(int y = 0; y < ny; ++y)
       for(int z = 0; z < nz; ++z)

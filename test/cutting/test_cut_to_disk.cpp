@@ -53,7 +53,8 @@ FFM::Cut_options with(Branches branches)
 FFM::Cut_summary check_disks(Surface& surface, int components, int borders, int genus, const FFM::Cut_options& options = FFM::Cut_options())
 {
   const FFM::Cut_summary summary = FFM::cut_to_disk(surface.mesh, surface.cut, options);
-  BOOST_TEST_CONTEXT(summary.message) {
+  BOOST_TEST_CONTEXT(summary.message)
+  {
     BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(FFM::Status::success));
     const Count count = surface.count();
     BOOST_TEST(count.is_of_disks());
@@ -93,7 +94,8 @@ BOOST_AUTO_TEST_CASE(closed_surfaces)
 {
   for(const Branches branches : ALL_BRANCHES)
     for(int genus : {0, 1, 2, 5}) {
-      BOOST_TEST_CONTEXT("genus " << genus << ", branches " << static_cast<int>(branches)) {
+      BOOST_TEST_CONTEXT("genus " << genus << ", branches " << static_cast<int>(branches))
+      {
         Surface surface(genus == 0 ? block_soup() : plate_soup(genus));
         const FFM::Cut_summary summary = check_disks(surface, 1, 0, genus, with(branches));
         if(branches == Branches::none && genus == 0)
@@ -175,8 +177,8 @@ BOOST_AUTO_TEST_CASE(farthest_points_of_the_paper)
         sum += distance(surface.mesh.point(v), surface.mesh.point(w));
       return chosen.count(v) != 0 ? -1e9 : sum;
     };
-    chosen.insert(*std::max_element(surface.vertices.begin(), surface.vertices.end(),
-                                    [&](Vertex v, Vertex w) { return score(v) < score(w); }));
+    chosen.insert(
+      *std::max_element(surface.vertices.begin(), surface.vertices.end(), [&](Vertex v, Vertex w) { return score(v) < score(w); }));
   }
   // All are reached, and seams end nowhere else.
   for(const Vertex v : surface.vertices)
@@ -389,7 +391,8 @@ BOOST_AUTO_TEST_CASE(scanned_and_modelled_surfaces)
       files.insert(entry.path());
   }
   for(const auto& file : files)
-    BOOST_TEST_CONTEXT(file) {
+    BOOST_TEST_CONTEXT(file)
+    {
       Mesh mesh;
       BOOST_TEST_REQUIRE(CGAL::IO::read_OFF(file.string(), mesh));
       Surface surface(mesh);

@@ -69,7 +69,8 @@ Mesh_complex ball_of_two_parts()
 bool place_of_handle(const Eigen::Vector3d& p, Kernel::Point_3& place)
 {
   const double angle = p.x() > 0.7 ? 0.9 : 0, shift = p.x() > 0.7 ? 0.3 : 0;
-  place = Kernel::Point_3(p.x() + shift, std::cos(angle) * p.y() - std::sin(angle) * p.z(), std::sin(angle) * p.y() + std::cos(angle) * p.z());
+  place =
+    Kernel::Point_3(p.x() + shift, std::cos(angle) * p.y() - std::sin(angle) * p.z(), std::sin(angle) * p.y() + std::cos(angle) * p.z());
   return p.x() > 0.7 || p.x() < -0.7;
 }
 

@@ -58,15 +58,9 @@ void check()
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(double_coordinates)
-{
-  check<Mesh>();
-}
+BOOST_AUTO_TEST_CASE(double_coordinates) { check<Mesh>(); }
 
-BOOST_AUTO_TEST_CASE(float_coordinates)
-{
-  check<Float_mesh>();
-}
+BOOST_AUTO_TEST_CASE(float_coordinates) { check<Float_mesh>(); }
 
 BOOST_AUTO_TEST_CASE(property_of_the_mesh)
 {

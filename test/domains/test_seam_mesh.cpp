@@ -57,7 +57,7 @@ struct Cut_sphere
     for(const auto w : mesh.vertices())
       if(mesh.point(w).z() > mesh.point(v).z())
         v = w;
-    for(bool lower = true; lower && length < most; ) {
+    for(bool lower = true; lower && length < most;) {
       Vertex next = v;
       for(const auto w : CGAL::vertices_around_target(mesh.halfedge(v), mesh))
         if(mesh.point(w).z() < mesh.point(next).z())

@@ -45,17 +45,8 @@ void check_kernel(double tolerance)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(float_coordinates)
-{
-  check_kernel<CGAL::Simple_cartesian<float>>(1e-6);
-}
+BOOST_AUTO_TEST_CASE(float_coordinates) { check_kernel<CGAL::Simple_cartesian<float>>(1e-6); }
 
-BOOST_AUTO_TEST_CASE(inexact_constructions)
-{
-  check_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(1e-9);
-}
+BOOST_AUTO_TEST_CASE(inexact_constructions) { check_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(1e-9); }
 
-BOOST_AUTO_TEST_CASE(exact_constructions)
-{
-  check_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(1e-9);
-}
+BOOST_AUTO_TEST_CASE(exact_constructions) { check_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(1e-9); }

@@ -79,7 +79,8 @@ BOOST_AUTO_TEST_CASE(delaunay_triangulation)
   BOOST_TEST_REQUIRE((domain.load(triangulation, message) == Status::success), message);
   BOOST_TEST(domain.domain().number_of_elements() == triangulation.number_of_finite_cells());
   const auto point_of = [](Triangulation::Vertex_handle v) { return v->point(); };
-  const Fingerprint all = expected(triangulation, [](Triangulation::Cell_handle) { return true; }, point_of);
+  const Fingerprint all = expected(
+    triangulation, [](Triangulation::Cell_handle) { return true; }, point_of);
   BOOST_TEST(Fingerprint::of(domain).distance(all) < 1e-11);
 
   // Only cells of one half.
@@ -87,7 +88,8 @@ BOOST_AUTO_TEST_CASE(delaunay_triangulation)
   BOOST_TEST_REQUIRE((domain.load(triangulation, is_selected, message) == Status::success), message);
   BOOST_TEST(domain.domain().number_of_elements() < triangulation.number_of_finite_cells());
   BOOST_TEST(Fingerprint::of(domain).distance(expected(triangulation, is_selected, point_of)) < 1e-11);
-  BOOST_TEST((domain.load(triangulation, [](Triangulation::Cell_handle) { return false; }, message) == Status::empty_mesh));
+  BOOST_TEST((domain.load(
+                triangulation, [](Triangulation::Cell_handle) { return false; }, message) == Status::empty_mesh));
 }
 
 BOOST_AUTO_TEST_CASE(results_are_keyed_by_handles_and_leave_the_triangulation_alone)
@@ -125,16 +127,15 @@ BOOST_AUTO_TEST_CASE(regular_triangulation_of_weighted_points)
   FFM::Triangulation_3_domain<Triangulation> domain;
   std::string message;
   BOOST_TEST_REQUIRE((domain.load(triangulation, message) == Status::success), message);
-  const Fingerprint all = expected(triangulation, [](Triangulation::Cell_handle) { return true; },
-                                   [](Triangulation::Vertex_handle v) { return v->point().point(); });
+  const Fingerprint all = expected(
+    triangulation, [](Triangulation::Cell_handle) { return true; }, [](Triangulation::Vertex_handle v) { return v->point().point(); });
   BOOST_TEST(Fingerprint::of(domain).distance(all) < 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(triangulation_without_the_delaunay_property)
 {
   typedef CGAL::Triangulation_3<Kernel> Triangulation;
-  const std::array<Point, 5> corners = {
-    {Point(0, 0, 0), Point(2, 0, 0), Point(0, 2, 0), Point(0, 0, 2), Point(0.4, 0.5, 0.6)}};
+  const std::array<Point, 5> corners = {{Point(0, 0, 0), Point(2, 0, 0), Point(0, 2, 0), Point(0, 0, 2), Point(0.4, 0.5, 0.6)}};
   const Triangulation triangulation(corners.begin(), corners.end());
   FFM::Triangulation_3_domain<Triangulation> domain;
   std::string message;

@@ -102,7 +102,7 @@ struct Fixture
   void check_valid(const FFM::Summary& summary, const Handles& handles)
   {
     BOOST_TEST_CONTEXT(summary.message)
-      BOOST_TEST_REQUIRE(FFM::status_name(summary.status) == "success");
+    BOOST_TEST_REQUIRE(FFM::status_name(summary.status) == "success");
     BOOST_TEST(summary.flips == 0);
     BOOST_TEST(FFM::number_of_flipped_elements(mesh, result) == 0);
     for(const auto& handle : handles)
@@ -114,16 +114,13 @@ struct Fixture
     const FFM::Summary summary = run(handles);
     BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(status));
     BOOST_TEST_CONTEXT(summary.message)
-      BOOST_TEST(summary.message.find(part) != std::string::npos);
+    BOOST_TEST(summary.message.find(part) != std::string::npos);
     for(const Vertex v : mesh.vertices())
       BOOST_TEST_REQUIRE((result[v] == Point_2(77, 77)));
   }
 };
 
-Point_2 stay(const Point_2& p)
-{
-  return p;
-}
+Point_2 stay(const Point_2& p) { return p; }
 
 // About the middle of the bar's axis, then away.
 Point_2 turned(const Point_2& p, double angle)
@@ -193,8 +190,7 @@ BOOST_FIXTURE_TEST_CASE(start_may_be_given, Fixture)
     start[v] = turned(rest(v), 1);
   const auto motion = [](const Point_2& p) { return turned(p, 1); };
   const Handles handles = ends(motion, motion);
-  const FFM::Summary summary =
-    FFM::deform(mesh, handles, result, FFM::Flip_free_map_traits<>(), FFM::parameters::start_map(start));
+  const FFM::Summary summary = FFM::deform(mesh, handles, result, FFM::Flip_free_map_traits<>(), FFM::parameters::start_map(start));
   check_valid(summary, handles);
   BOOST_TEST(summary.start == "given");
   BOOST_TEST(summary.iterations == 0);
@@ -210,8 +206,8 @@ BOOST_FIXTURE_TEST_CASE(unreachable_handles, Fixture)
     triangle.result[v] = Point_2(77, 77);
   const auto& v = triangle.vertices;
   triangle.check_refused({{v[0], Point_2(1, 1)}, {v[1], Point_2(1, 0)}, {v[2], Point_2(0, 1)}}, FFM::Status::unreachable_constraints, "");
-  triangle.check_refused({{v[0], Point_2(0.5, 0.5)}, {v[1], Point_2(1, 0)}, {v[2], Point_2(0, 1)}},
-                         FFM::Status::unreachable_constraints, "");
+  triangle.check_refused({{v[0], Point_2(0.5, 0.5)}, {v[1], Point_2(1, 0)}, {v[2], Point_2(0, 1)}}, FFM::Status::unreachable_constraints,
+                         "");
   const Handles shift{{v[0], Point_2(5, 1)}, {v[1], Point_2(6, 1)}, {v[2], Point_2(5, 2)}};
   const FFM::Summary shifted = triangle.run(shift);
   triangle.check_valid(shifted, shift);

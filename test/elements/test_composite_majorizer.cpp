@@ -29,21 +29,12 @@ using namespace test_support;
 namespace {
 
 // J = [a b; c d] as two vectors: det J = |alpha|^2 - |beta|^2.
-Eigen::Vector2d alpha(const Eigen::Matrix2d& J)
-{
-  return 0.5 * Eigen::Vector2d(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1));
-}
+Eigen::Vector2d alpha(const Eigen::Matrix2d& J) { return 0.5 * Eigen::Vector2d(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1)); }
 
-Eigen::Vector2d beta(const Eigen::Matrix2d& J)
-{
-  return 0.5 * Eigen::Vector2d(J(0, 0) - J(1, 1), J(1, 0) + J(0, 1));
-}
+Eigen::Vector2d beta(const Eigen::Matrix2d& J) { return 0.5 * Eigen::Vector2d(J(0, 0) - J(1, 1), J(1, 0) + J(0, 1)); }
 
 // |a|^2 and its tangent at a_0.
-double tangent(const Eigen::Vector2d& a, const Eigen::Vector2d& a_0)
-{
-  return a_0.squaredNorm() + 2 * a_0.dot(a - a_0);
-}
+double tangent(const Eigen::Vector2d& a, const Eigen::Vector2d& a_0) { return a_0.squaredNorm() + 2 * a_0.dot(a - a_0); }
 
 // The determinant with its concave part replaced by the tangent at J_0; or its convex part.
 double convexified_determinant(const Eigen::Matrix2d& J, const Eigen::Matrix2d& J_0)
@@ -148,8 +139,7 @@ BOOST_AUTO_TEST_CASE(neo_hookean_majorizer_is_the_one_of_the_paper)
       // The majorizer touches the energy, and both its branches are met.
       BOOST_TEST(std::abs(rubber_majorizer(energy, J, J) - rubber(energy, J.norm(), J.determinant())) <= 1e-12);
       ++(slope_in_determinant(energy, J) > 0 ? convex : concave);
-      const Full_matrix<2> expected =
-        hessian_by_differences([&](const Eigen::Matrix2d& m) { return rubber_majorizer(energy, m, J); }, J);
+      const Full_matrix<2> expected = hessian_by_differences([&](const Eigen::Matrix2d& m) { return rubber_majorizer(energy, m, J); }, J);
       const Full_matrix<2> majorizer = full_matrix<2>(FFM::Composite_majorization<>(), energy, J);
       BOOST_TEST((majorizer - expected).norm() <= 1e-6 * expected.norm());
       // With the type of the energy forgotten.
@@ -199,8 +189,7 @@ BOOST_AUTO_TEST_CASE(one_inner_function)
         },
         J);
       BOOST_TEST((majorizer - expected).norm() <= 1e-6 * expected.norm());
-      const Full_matrix<2> hessian =
-        hessian_by_differences([&](const Eigen::Matrix2d& m) { return std::exp(sign * m.determinant()); }, J);
+      const Full_matrix<2> hessian = hessian_by_differences([&](const Eigen::Matrix2d& m) { return std::exp(sign * m.determinant()); }, J);
       BOOST_TEST(Eigen::SelfAdjointEigenSolver<Full_matrix<2>>(Full_matrix<2>(majorizer - hessian)).eigenvalues()[0] >=
                  -1e-6 * majorizer.norm());
     }

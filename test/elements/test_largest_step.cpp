@@ -77,10 +77,7 @@ Rational value(const Polynomial& p, const Rational& a)
   return result;
 }
 
-int sign(const Rational& r)
-{
-  return r > 0 ? 1 : r < 0 ? -1 : 0;
-}
+int sign(const Rational& r) { return r > 0 ? 1 : r < 0 ? -1 : 0; }
 
 // Distinct real roots in (0, end], or in (0, infinity) when `end` is null, by Sturm's theorem; p(0) must not vanish.
 int number_of_roots(Polynomial p, const Rational* end)
@@ -119,8 +116,7 @@ int number_of_roots(Polynomial p, const Rational* end)
     return count;
   };
   const int at_zero = variations([](const Polynomial& q) { return sign(q.front()); });
-  const int at_end =
-    variations([end](const Polynomial& q) { return end != nullptr ? sign(value(q, *end)) : sign(q.back()); });
+  const int at_end = variations([end](const Polynomial& q) { return end != nullptr ? sign(value(q, *end)) : sign(q.back()); });
   return at_zero - at_end;
 }
 

@@ -29,10 +29,10 @@
 
 namespace {
 
-using test_support::Random;
-using CGAL::Flip_free_maps::internal::Signed_svd;
 using CGAL::Flip_free_maps::internal::signed_singular_values;
+using CGAL::Flip_free_maps::internal::Signed_svd;
 using CGAL::Flip_free_maps::internal::signed_svd;
+using test_support::Random;
 
 int exact_sign_of_determinant(const Eigen::Matrix3d& J)
 {

@@ -29,8 +29,7 @@ using Vector = Eigen::Matrix<double, D, 1>;
 template <int D>
 using Matrix = Eigen::Matrix<double, D, D>;
 
-struct Wrong
-  : FFM::Symmetric_gradient
+struct Wrong : FFM::Symmetric_gradient
 {
   bool gradient_too = false;
   template <int D>

@@ -50,8 +50,7 @@ Surface spherical_cap(double angle, int rings, int around)
   for(int r = 1; r <= rings; ++r)
     for(int i = 0; i < around; ++i) {
       const double latitude = angle * r / rings, longitude = 2 * pi * (i + 0.5 * (r % 2)) / around;
-      surface.points.push_back(
-        {std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude), std::cos(latitude)});
+      surface.points.push_back({std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude), std::cos(latitude)});
     }
   for(int i = 0; i < around; ++i) {
     const int next = (i + 1) % around;
@@ -71,10 +70,7 @@ Surface spherical_cap(double angle, int rings, int around)
   return surface;
 }
 
-double cap_curvature(double angle)
-{
-  return 2 * pi * (1 - std::cos(angle));
-}
+double cap_curvature(double angle) { return 2 * pi * (1 - std::cos(angle)); }
 
 struct Flat
 {
@@ -130,7 +126,8 @@ const std::vector<std::pair<std::string, Surface>>& developable_surfaces()
 BOOST_AUTO_TEST_CASE(developable_surfaces_have_no_curvature)
 {
   for(const auto& surface : developable_surfaces())
-    BOOST_TEST_CONTEXT(surface.first) {
+    BOOST_TEST_CONTEXT(surface.first)
+    {
       BOOST_TEST(total_curvature(make_domain(surface.second)) <= 1e-10);
       BOOST_TEST(adapts(surface.second));
     }
@@ -140,7 +137,8 @@ BOOST_AUTO_TEST_CASE(developable_surfaces_have_no_curvature)
 BOOST_AUTO_TEST_CASE(curvature_of_a_spherical_cap)
 {
   for(double angle : {0.4, 1., 2.5})
-    BOOST_TEST_CONTEXT("angle " << angle) {
+    BOOST_TEST_CONTEXT("angle " << angle)
+    {
       double previous = 0;
       for(int rings : {10, 20, 40}) {
         const double curvature = total_curvature(make_domain(spherical_cap(angle, rings, 3 * rings)));
@@ -190,7 +188,8 @@ BOOST_AUTO_TEST_CASE(default_method_is_adapted_to_developable_surfaces_only)
 BOOST_AUTO_TEST_CASE(developable_surfaces_from_coarse_to_fine)
 {
   for(const auto& surface : developable_surfaces())
-    BOOST_TEST_CONTEXT(surface.first) {
+    BOOST_TEST_CONTEXT(surface.first)
+    {
       const FFM::Simplicial_domain<2> domain = make_domain(surface.second);
       Traits traits;
       FFM::internal::adapt_to_developable(domain, traits);
@@ -229,7 +228,8 @@ BOOST_AUTO_TEST_CASE(unfolding_stands_in_for_a_start_only_where_nothing_flips)
 BOOST_AUTO_TEST_CASE(developable_surfaces_are_unrolled_at_once)
 {
   for(const auto& surface : developable_surfaces())
-    BOOST_TEST_CONTEXT(surface.first) {
+    BOOST_TEST_CONTEXT(surface.first)
+    {
       const Traits traits;
       const Flat flat = flattened(surface.second, traits);
       BOOST_TEST(FFM::status_name(flat.summary.status) == "success");

@@ -158,7 +158,6 @@ BOOST_AUTO_TEST_CASE(long_tubes_begin_as_circles_and_others_do_not)
   BOOST_TEST((summary.status == FFM::Status::success));
   BOOST_TEST(energy_of(tube, x) <= 1.05 * std::sqrt(3.) * 30);
 
-  BOOST_REQUIRE(FFM::Multilevel_initializer<Traits>(traits)(make_domain(bumpy_patch(40, 30)), x, name, message) ==
-                FFM::Status::success);
+  BOOST_REQUIRE(FFM::Multilevel_initializer<Traits>(traits)(make_domain(bumpy_patch(40, 30)), x, name, message) == FFM::Status::success);
   BOOST_TEST(name.find("multilevel") == 0u);
 }

@@ -27,13 +27,9 @@ namespace {
 
 const std::vector<FFM::Tutte_weights> all_weights{FFM::Tutte_weights::uniform, FFM::Tutte_weights::mean_value,
                                                   FFM::Tutte_weights::cotangent};
-const std::vector<FFM::Border_shape> all_borders{FFM::Border_shape::circle, FFM::Border_shape::square,
-                                                 FFM::Border_shape::polygon};
+const std::vector<FFM::Border_shape> all_borders{FFM::Border_shape::circle, FFM::Border_shape::square, FFM::Border_shape::polygon};
 
-std::vector<std::array<double, 2>> pentagon()
-{
-  return {{{0, 0}}, {{3, 0}}, {{4, 2}}, {{1, 4}}, {{-1, 1}}};
-}
+std::vector<std::array<double, 2>> pentagon() { return {{{0, 0}}, {{3, 0}}, {{4, 2}}, {{1, 4}}, {{-1, 1}}}; }
 
 struct Result
 {
@@ -58,10 +54,7 @@ FFM::Start_options plain_options()
   return options;
 }
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 double area(const FFM::Simplicial_domain<2>& domain, const FFM::Positions<2>& x)
 {
@@ -85,9 +78,8 @@ Surface planar_patch()
 // a square, where no weights save it.
 Surface patch_without_chords()
 {
-  return grid(12, 10, [](double u, double v) {
-    return Eigen::Vector3d(1.3 * u, v, 0.25 * std::sin(6.6 * u + 0.3) * std::cos(5.3 * v + 0.1));
-  }, true);
+  return grid(
+    12, 10, [](double u, double v) { return Eigen::Vector3d(1.3 * u, v, 0.25 * std::sin(6.6 * u + 0.3) * std::cos(5.3 * v + 0.1)); }, true);
 }
 
 bool is_border(const FFM::Simplicial_domain<2>& domain, std::int32_t v)
@@ -112,8 +104,7 @@ BOOST_AUTO_TEST_CASE(all_borders_and_weights)
         BOOST_TEST((result.status == FFM::Status::success), result.message);
         BOOST_TEST(number_of_flips(domain, result.x) == 0);
         // There are no flaps in this patch, so none can have been placed.
-        BOOST_TEST(result.name ==
-                   std::string("tutte (") + FFM::border_name(border) + ", " + FFM::weights_name(weights) + ")");
+        BOOST_TEST(result.name == std::string("tutte (") + FFM::border_name(border) + ", " + FFM::weights_name(weights) + ")");
         if(!place_flaps) {
           // The border encloses area 1; a polygon's vertices cut corners of the circle.
           BOOST_TEST(area(domain, result.x) <= 1 + 1e-12);
@@ -232,8 +223,7 @@ BOOST_AUTO_TEST_CASE(linear_maps_are_reproduced)
       options.weights = weights;
       FFM::Positions<2> x;
       std::string name, failed;
-      BOOST_TEST((Tutte(options).with_border(domain, border, "given", make_eigen_solver, x, name, failed) ==
-                  FFM::Status::success));
+      BOOST_TEST((Tutte(options).with_border(domain, border, "given", make_eigen_solver, x, name, failed) == FFM::Status::success));
       // A clockwise border is mirrored.
       BOOST_TEST((x - expected).cwiseAbs().maxCoeff() <= 1e-12);
       BOOST_TEST(name == std::string("tutte (given, ") + FFM::weights_name(weights) + ")");
@@ -270,9 +260,8 @@ BOOST_AUTO_TEST_CASE(fallback_to_other_weights)
 {
   // Spikes have obtuse triangles, which make cotangents negative.
   Random random(72);
-  const auto domain = make_domain(grid(10, 10, [&random](double u, double v) {
-    return Eigen::Vector3d(u, v, random(-1, 1));
-  }, true));
+  const auto domain = make_domain(grid(
+    10, 10, [&random](double u, double v) { return Eigen::Vector3d(u, v, random(-1, 1)); }, true));
   FFM::Start_options options = plain_options();
   options.weights = FFM::Tutte_weights::cotangent;
   BOOST_TEST_REQUIRE((start_of(domain, options).status == FFM::Status::start_not_flip_free));

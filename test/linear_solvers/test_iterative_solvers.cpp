@@ -172,7 +172,6 @@ BOOST_AUTO_TEST_CASE(maps_without_memory_for_a_factor)
   BOOST_TEST(iterative.energy == direct.energy, boost::test_tools::tolerance(1e-9));
 
   traits.options.memory_budget = -1;
-  BOOST_TEST(FFM::status_name(FFM::Map_minimizer<2>(domain, traits).minimize(x).status) ==
-             FFM::status_name(FFM::Status::invalid_option));
+  BOOST_TEST(FFM::status_name(FFM::Map_minimizer<2>(domain, traits).minimize(x).status) == FFM::status_name(FFM::Status::invalid_option));
 }
 #endif

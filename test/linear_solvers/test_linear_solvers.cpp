@@ -42,8 +42,8 @@ namespace {
 
 typedef std::vector<std::array<std::int32_t, 3>> Triangles;
 
-typedef FFM::Sparse_linear_algebra_solver<
-  CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>> Lu_traits_solver;
+typedef FFM::Sparse_linear_algebra_solver<CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>>
+  Lu_traits_solver;
 typedef FFM::Sparse_linear_algebra_solver<
   CGAL::Eigen_solver_traits<Eigen::BiCGSTAB<CGAL::Eigen_sparse_matrix<double>::EigenType, Eigen::IncompleteLUT<double>>>>
   Default_traits_solver;
@@ -52,14 +52,16 @@ typedef std::tuple<
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
   FFM::Cholmod_solver,
 #endif
-  FFM::Eigen_simplicial_solver, Lu_traits_solver, Default_traits_solver> Solvers;
+  FFM::Eigen_simplicial_solver, Lu_traits_solver, Default_traits_solver>
+  Solvers;
 
 // Those that factorize by the symmetric structure and can tell a failure.
 typedef std::tuple<
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
   FFM::Cholmod_solver,
 #endif
-  FFM::Eigen_simplicial_solver> Direct_solvers;
+  FFM::Eigen_simplicial_solver>
+  Direct_solvers;
 
 Triangles grid_triangles(int columns, int rows)
 {

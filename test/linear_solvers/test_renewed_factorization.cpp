@@ -39,7 +39,11 @@ struct Setting
   // `moved` is displaced, by so much that all elements around it are deformed by more than the bound,
   // but not to where one collapses.
   Setting(Distorted_example<D> example, std::int32_t moved, const std::vector<std::int32_t>& fixed)
-    : old(example.x), x(example.x), domain(std::move(example.domain)), now(domain, energy, preconditioner), objective(domain, energy, preconditioner)
+    : old(example.x),
+      x(example.x),
+      domain(std::move(example.domain)),
+      now(domain, energy, preconditioner),
+      objective(domain, energy, preconditioner)
   {
     double lowest = 1e300;
     for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
@@ -82,7 +86,8 @@ struct Setting
   Eigen::VectorXd solve(const Eigen::VectorXd& b)
   {
     Eigen::VectorXd y;
-    BOOST_REQUIRE(renewed.solve(b, [this](const Eigen::VectorXd& r, Eigen::VectorXd& z) { return solver.solve(r, z); }, y));
+    BOOST_REQUIRE(renewed.solve(
+      b, [this](const Eigen::VectorXd& r, Eigen::VectorXd& z) { return solver.solve(r, z); }, y));
     return y;
   }
 
@@ -179,8 +184,7 @@ BOOST_AUTO_TEST_CASE(eigenvalues_come_nearer_to_one)
   // The eigenvalues of B A from those of the symmetric pencil A x = l B^-1 x,
   // with B^-1 replaced by its Cholesky factor's product.
   const Eigen::MatrixXd L = B.llt().matrixL();
-  const Eigen::VectorXd now =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(L.transpose() * A * L, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd now = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(L.transpose() * A * L, Eigen::EigenvaluesOnly).eigenvalues();
   BOOST_TEST(now.minCoeff() > old.minCoeff() - 1e-8);
   BOOST_TEST(now.maxCoeff() < old.maxCoeff() + 1e-8);
   BOOST_TEST(now.maxCoeff() / now.minCoeff() < old.maxCoeff() / old.minCoeff());

@@ -78,8 +78,8 @@ FFM::internal::Elimination_split split_of(const FFM::Block_sparse_matrix& matrix
 {
   const std::vector<FFM::Block_sparse_matrix::Index> rows(matrix.block_row_indices().begin(), matrix.block_row_indices().end());
   FFM::internal::Cholmod_factor factor;
-  BOOST_TEST_REQUIRE(factor.order(
-    FFM::internal::cholmod_view(matrix.number_of_vertices(), matrix.block_column_starts(), rows, nullptr), CHOLMOD_METIS));
+  BOOST_TEST_REQUIRE(
+    factor.order(FFM::internal::cholmod_view(matrix.number_of_vertices(), matrix.block_column_starts(), rows, nullptr), CHOLMOD_METIS));
   if(order != nullptr)
     order->assign(factor.order(), factor.order() + matrix.number_of_vertices());
   return FFM::internal::Elimination_split(matrix, factor.order(), factor.column_counts());
@@ -129,7 +129,11 @@ BOOST_AUTO_TEST_CASE(a_chain_is_not_split)
 
 BOOST_AUTO_TEST_CASE(solutions_and_threads)
 {
-  struct Example { int columns, rows, block_size; bool is_supernodal; };
+  struct Example
+  {
+    int columns, rows, block_size;
+    bool is_supernodal;
+  };
   for(const Example& example : {Example{50, 40, 2, true}, Example{40, 30, 3, true}, Example{700, 2, 1, false}}) {
     Edges edges;
     add_grid(example.columns, example.rows, 0, edges);
@@ -215,8 +219,5 @@ BOOST_AUTO_TEST_CASE(large_matrices_are_split_by_the_solver)
   BOOST_TEST(residual(matrix, right, x) <= 1e-12);
 }
 #else
-BOOST_AUTO_TEST_CASE(needs_cholmod)
-{
-  BOOST_TEST_MESSAGE("CHOLMOD is not there");
-}
+BOOST_AUTO_TEST_CASE(needs_cholmod) { BOOST_TEST_MESSAGE("CHOLMOD is not there"); }
 #endif

@@ -212,26 +212,28 @@ BOOST_AUTO_TEST_CASE(windings)
     BOOST_TEST(CGAL::orientation(twice.point(t[0]), twice.point(t[1]), twice.point(t[2])) == CGAL::LEFT_TURN);
   expect(twice, false);
   // A ring that winds twice: its outer border crosses itself, as does its inner one.
-  expect(strip(12, true, [](int i, int side) {
-           const double angle = 4 * CGAL_PI * i / 12, radius = side == 0 ? 1 + 0.01 * i : 2 + 0.01 * i;
-           return std::array<double, 2>{{radius * std::cos(angle), radius * std::sin(angle)}};
-         }), false);
+  expect(strip(12, true,
+               [](int i, int side) {
+                 const double angle = 4 * CGAL_PI * i / 12, radius = side == 0 ? 1 + 0.01 * i : 2 + 0.01 * i;
+                 return std::array<double, 2>{{radius * std::cos(angle), radius * std::sin(angle)}};
+               }),
+         false);
 }
 
 BOOST_AUTO_TEST_CASE(components_and_holes)
 {
   const Map ring = frame(0, 0, 4, 2);
   expect(ring, true);
-  expect(together(ring, square(1.5, 1.5, 1)), true);                                   // within the hole
-  expect(together(square(1.5, 1.5, 1), ring), true);                                   // whatever the order
-  expect(together(ring, square(1, 1, 2)), false);                                      // fills the hole exactly
-  expect(together(ring, square(0.25, 0.25, 0.5)), false);                              // upon the frame
-  expect(together(square(0, 0, 4), square(1, 1, 1)), false);                           // nested without a hole
-  expect(together(square(0, 0, 4), square(5, 1, 1)), true);                            // beside
-  expect(together(square(-1, -1, 6), ring), false);                                    // beneath the frame
+  expect(together(ring, square(1.5, 1.5, 1)), true);                                          // within the hole
+  expect(together(square(1.5, 1.5, 1), ring), true);                                          // whatever the order
+  expect(together(ring, square(1, 1, 2)), false);                                             // fills the hole exactly
+  expect(together(ring, square(0.25, 0.25, 0.5)), false);                                     // upon the frame
+  expect(together(square(0, 0, 4), square(1, 1, 1)), false);                                  // nested without a hole
+  expect(together(square(0, 0, 4), square(5, 1, 1)), true);                                   // beside
+  expect(together(square(-1, -1, 6), ring), false);                                           // beneath the frame
   expect(together(together(ring, frame(1.25, 1.25, 1.5, 1)), square(1.75, 1.75, 0.5)), true); // three deep
   expect(together(together(frame(1.25, 1.25, 1.5, 1), ring), square(1.25, 1.25, 0.125)), false);
-  expect(together(ring, frame(0.5, 0.5, 3, 2.5)), false);                              // upon the frame, around its hole
+  expect(together(ring, frame(0.5, 0.5, 3, 2.5)), false); // upon the frame, around its hole
 }
 
 BOOST_AUTO_TEST_CASE(bad_triangles_and_arrays)

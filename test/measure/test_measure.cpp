@@ -37,10 +37,7 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-bool near(double a, double b, double tolerance = 1e-13)
-{
-  return std::abs(a - b) <= tolerance * (1 + std::abs(b));
-}
+bool near(double a, double b, double tolerance = 1e-13) { return std::abs(a - b) <= tolerance * (1 + std::abs(b)); }
 
 // A flat sheet, turned in space, with areas that differ: its rows grow in height. The parameters are the plane's coordinates.
 struct Sheet
@@ -264,7 +261,8 @@ BOOST_FIXTURE_TEST_CASE(units_of_any_magnitude, Sheet)
       uv[vertices[i]] = Point_2(t * q.x(), t * q.y());
     }
     const FFM::Distortion_report report = FFM::measure_distortion(mesh, uv);
-    BOOST_TEST_CONTEXT("unit 2^" << exponent) {
+    BOOST_TEST_CONTEXT("unit 2^" << exponent)
+    {
       BOOST_TEST(FFM::status_name(report.status) == FFM::status_name(Status::success));
       BOOST_TEST(report.flips == 0);
       // The unit is a power of two: not a bit differs.

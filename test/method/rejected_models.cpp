@@ -12,8 +12,10 @@
 
 namespace FFM = CGAL::Flip_free_maps;
 
-template <int D> using Vector = Eigen::Matrix<double, D, 1>;
-template <int D> using Matrix = Eigen::Matrix<double, D, D>;
+template <int D>
+using Vector = Eigen::Matrix<double, D, 1>;
+template <int D>
+using Matrix = Eigen::Matrix<double, D, D>;
 using Traits = FFM::Flip_free_map_traits<>;
 
 #if REJECTED_MODEL == 0
@@ -24,8 +26,14 @@ BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<Traits, 3>));
 struct Energy
 {
   static constexpr bool has_barrier = true;
-  template <int D> double value(const Vector<D>&) const { return 0; }
-  template <int D> void derivatives(const Vector<D>&, Vector<D>&, Matrix<D>&) const {}
+  template <int D>
+  double value(const Vector<D>&) const
+  {
+    return 0;
+  }
+  template <int D>
+  void derivatives(const Vector<D>&, Vector<D>&, Matrix<D>&) const
+  {}
 };
 BOOST_CONCEPT_ASSERT((FFM::DistortionEnergyConcept<Energy, 2>));
 
@@ -34,8 +42,14 @@ struct Energy
 {
   static constexpr bool has_barrier = true;
   static const char* name() { return "rejected"; }
-  template <int D> double value(const Vector<D>&) { return 0; }
-  template <int D> void derivatives(const Vector<D>&, Vector<D>&, Matrix<D>&) const {}
+  template <int D>
+  double value(const Vector<D>&)
+  {
+    return 0;
+  }
+  template <int D>
+  void derivatives(const Vector<D>&, Vector<D>&, Matrix<D>&) const
+  {}
 };
 BOOST_CONCEPT_ASSERT((FFM::DistortionEnergyConcept<Energy, 3>));
 
@@ -44,8 +58,14 @@ struct Energy
 {
   static constexpr bool has_barrier = true;
   static const char* name() { return "rejected"; }
-  template <int D> double value(const Vector<D>&) const { return 0; }
-  template <int D> void derivatives(const Vector<D>&, Vector<D>&, Matrix<D>&) const {}
+  template <int D>
+  double value(const Vector<D>&) const
+  {
+    return 0;
+  }
+  template <int D>
+  void derivatives(const Vector<D>&, Vector<D>&, Matrix<D>&) const
+  {}
 };
 BOOST_CONCEPT_ASSERT((FFM::DistortionEnergyConcept<Energy, 2>));
 BOOST_CONCEPT_ASSERT((FFM::ConvexConcaveEnergyConcept<Energy, 2>));
@@ -56,7 +76,9 @@ struct Preconditioner
   using Category = int;
   static constexpr bool is_second_order = true;
   static const char* name() { return "rejected"; }
-  template <int D, typename Energy> void form(const FFM::Element_state<D>&, const Energy&, FFM::Increment_form<D>&) const {}
+  template <int D, typename Energy>
+  void form(const FFM::Element_state<D>&, const Energy&, FFM::Increment_form<D>&) const
+  {}
 };
 BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<Preconditioner, Traits::Energy, 2>));
 
@@ -72,7 +94,9 @@ BOOST_CONCEPT_ASSERT((FFM::PreconditionerConcept<Preconditioner, Traits::Energy,
 #elif REJECTED_MODEL == 6 // the reference does not say whether it is the rest shape
 struct Reference : FFM::Fixed_reference
 {
-  template <int D> void update(const FFM::Simplicial_domain<D>&, const FFM::Positions<D>&) {}
+  template <int D>
+  void update(const FFM::Simplicial_domain<D>&, const FFM::Positions<D>&)
+  {}
 };
 BOOST_CONCEPT_ASSERT((FFM::ReferenceConcept<Reference, 2>));
 
@@ -81,7 +105,10 @@ struct Acceleration
 {
   static const char* name() { return "rejected"; }
   template <typename Solve>
-  bool direction(const Eigen::VectorXd&, const Eigen::VectorXd&, Solve&&, Eigen::VectorXd&) { return false; }
+  bool direction(const Eigen::VectorXd&, const Eigen::VectorXd&, Solve&&, Eigen::VectorXd&)
+  {
+    return false;
+  }
 };
 BOOST_CONCEPT_ASSERT((FFM::AccelerationConcept<Acceleration>));
 
@@ -123,15 +150,11 @@ struct Rule
 {
   bool operator()(int, double) const { return true; }
 };
-using Bad_part = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default,
-                                           CGAL::Default, Rule>;
+using Bad_part = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, Rule>;
 BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<Bad_part, 2>));
 
 #else
 #error "there is no such model"
 #endif
 
-int main()
-{
-  return 0;
-}
+int main() { return 0; }

@@ -58,7 +58,8 @@ struct Fixture
     const FFM::Summary compiled = run(traits);
     const FFM::Positions<2> expected = x;
     FFM::Summary summary = run(any);
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       BOOST_TEST(compiled.converged());
       BOOST_TEST(summary.converged());
       BOOST_TEST(summary.iterations == compiled.iterations);
@@ -91,17 +92,24 @@ BOOST_FIXTURE_TEST_CASE(all_names_work, Fixture)
   {
     const char *method, *preconditioner, *reference, *acceleration;
   };
-  const Row rows[] = {{"default", "adaptive", "fixed", "lbfgs"},         {"pp", "hybrid", "progressive", "none"},
-                      {"cm", "cm", "fixed", "none"},                     {"p-cm", "cm", "progressive", "none"},
-                      {"slim", "slim", "fixed", "none"},                 {"p-slim", "slim", "progressive", "none"},
-                      {"akvf", "killing", "fixed", "none"},              {"p-akvf", "killing", "progressive", "none"},
-                      {"projected-newton", "newton", "fixed", "none"},   {"newton", "plain_newton", "fixed", "none"},
-                      {"aqp", "laplacian", "fixed", "nesterov"},         {"sobolev", "laplacian", "fixed", "none"}};
+  const Row rows[] = {{"default", "adaptive", "fixed", "lbfgs"},
+                      {"pp", "hybrid", "progressive", "none"},
+                      {"cm", "cm", "fixed", "none"},
+                      {"p-cm", "cm", "progressive", "none"},
+                      {"slim", "slim", "fixed", "none"},
+                      {"p-slim", "slim", "progressive", "none"},
+                      {"akvf", "killing", "fixed", "none"},
+                      {"p-akvf", "killing", "progressive", "none"},
+                      {"projected-newton", "newton", "fixed", "none"},
+                      {"newton", "plain_newton", "fixed", "none"},
+                      {"aqp", "laplacian", "fixed", "nesterov"},
+                      {"sobolev", "laplacian", "fixed", "none"}};
   const double minimum = run(Method<FFM::Projected_newton>()).energy;
   // One object goes through all methods: each sets all that the last one may have changed.
   FFM::Any_map_traits traits;
   for(const Row& row : rows) {
-    BOOST_TEST_CONTEXT(row.method) {
+    BOOST_TEST_CONTEXT(row.method)
+    {
       BOOST_TEST_REQUIRE(traits.use_method(row.method));
       traits.options.characteristic_gradient_tolerance = 1e-6;
       FFM::Summary summary = run(traits);
@@ -126,7 +134,8 @@ BOOST_FIXTURE_TEST_CASE(unknown_names_change_nothing, Fixture)
   FFM::Any_map_traits traits;
   BOOST_TEST_REQUIRE(traits.use_method("p-slim"));
   for(const char* name : {"", "Slim", "p-", "p-pp", "p-aqp", "p-sobolev", "p-default", "slim ", "gradient-descent"}) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       BOOST_TEST(!traits.use_method(name));
       BOOST_TEST(traits.preconditioner.preconditioner_name() == "slim");
       BOOST_TEST(traits.has_progressive_reference());

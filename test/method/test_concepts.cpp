@@ -105,8 +105,7 @@ struct Archetype_energy : Only_from_int
     return (s.array() + s.array().inverse()).sum();
   }
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     record.energy_arguments_kept = record.energy_arguments_kept && s[0] >= s[D - 1] && s[D - 1] > 0;
     gradient = 1 - s.array().square().inverse();
@@ -291,8 +290,7 @@ BOOST_AUTO_TEST_CASE(archetypes_minimize)
   traits.options.characteristic_gradient_tolerance = 1e-10;
   FFM::Map_minimizer<2, Archetype_traits> minimizer(domain, traits);
   FFM::Positions<2> x(2, 4);
-  x << 0, 3.0, 2.0, 0.4,
-       0, 0.2, 0.9, 2.5;
+  x << 0, 3.0, 2.0, 0.4, 0, 0.2, 0.9, 2.5;
   const FFM::Summary summary = minimizer.minimize(x);
 
   // Two triangles can be laid out without distortion: both energies are 2 + 2, and all edges have their rest lengths.
@@ -397,8 +395,9 @@ BOOST_AUTO_TEST_CASE(models)
 #endif
 
   using Make_linear_solver = FFM::Eigen_simplicial_solver (*)();
-  BOOST_CONCEPT_ASSERT((FFM::InitializerConcept<
-    FFM::Tutte_initializer<Default_traits::Kernel, FFM::Eigen_simplicial_solver, CGAL::Sequential_tag>, Make_linear_solver>));
+  BOOST_CONCEPT_ASSERT(
+    (FFM::InitializerConcept<FFM::Tutte_initializer<Default_traits::Kernel, FFM::Eigen_simplicial_solver, CGAL::Sequential_tag>,
+                             Make_linear_solver>));
 
   BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<Default_traits, 2>));
   BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<Default_traits, 3>));

@@ -85,8 +85,8 @@ BOOST_AUTO_TEST_CASE(bad_schedule_and_constraints_are_refused)
   double residual = -1;
   FFM::Weight_schedule schedule;
   schedule.factor = 1;
-  BOOST_TEST((FFM::meet_soft_positions<2>(pulled.domain, x, pulled.constraints, residual, {}, schedule).status ==
-              FFM::Status::invalid_option));
+  BOOST_TEST(
+    (FFM::meet_soft_positions<2>(pulled.domain, x, pulled.constraints, residual, {}, schedule).status == FFM::Status::invalid_option));
   pulled.constraints.soft_positions[0].weight = -1;
   BOOST_TEST((FFM::meet_soft_positions<2>(pulled.domain, x, pulled.constraints, residual).status == FFM::Status::invalid_option));
 }

@@ -28,15 +28,9 @@ typedef std::tuple<Method_traits<FFM::Projected_newton>, FFM::Flip_free_map_trai
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(developable_surfaces_become_isometric, Method, Methods)
-{
-  check_developable_surfaces<Method>();
-}
+BOOST_AUTO_TEST_CASE_TEMPLATE(developable_surfaces_become_isometric, Method, Methods) { check_developable_surfaces<Method>(); }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(all_methods_end_at_the_same_energy, Method, Methods)
-{
-  check_bumpy_patch<Method>();
-}
+BOOST_AUTO_TEST_CASE_TEMPLATE(all_methods_end_at_the_same_energy, Method, Methods) { check_bumpy_patch<Method>(); }
 
 BOOST_AUTO_TEST_CASE(constant_laplacian_is_factorized_once)
 {

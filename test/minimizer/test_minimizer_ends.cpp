@@ -157,28 +157,27 @@ BOOST_FIXTURE_TEST_CASE(exceptions_of_the_observer_pass_through, Fixture)
 BOOST_FIXTURE_TEST_CASE(invalid_options, Fixture)
 {
   typedef FFM::Map_options Options;
-  const std::vector<std::function<void(Options&)>> faults{
-    [](Options& o) { o.characteristic_gradient_tolerance = -1; },
-    [](Options& o) { o.characteristic_gradient_tolerance = not_a_number; },
-    [](Options& o) { o.characteristic_gradient_tolerance = infinity; },
-    [](Options& o) { o.gradient_tolerance = -1; },
-    [](Options& o) { o.gradient_tolerance = not_a_number; },
-    [](Options& o) { o.relative_energy_tolerance = -1; },
-    [](Options& o) { o.relative_energy_tolerance = not_a_number; },
-    [](Options& o) { o.stagnation_iterations = 0; },
-    [](Options& o) { o.target_energy = not_a_number; },
-    [](Options& o) { o.max_iterations = -1; },
-    [](Options& o) { o.max_seconds = -1; },
-    [](Options& o) { o.max_seconds = not_a_number; },
-    [](Options& o) { o.step_fraction = 0; },
-    [](Options& o) { o.step_fraction = 1; },
-    [](Options& o) { o.step_fraction = not_a_number; },
-    [](Options& o) { o.armijo = 0; },
-    [](Options& o) { o.armijo = 0.5; },
-    [](Options& o) { o.armijo = not_a_number; },
-    [](Options& o) { o.max_line_search_steps = 0; }};
-  const std::vector<std::string> fields{"tolerance", "stagnation_iterations", "target_energy", "max_iterations", "max_seconds",
-                                        "step_fraction", "armijo", "max_line_search_steps"};
+  const std::vector<std::function<void(Options&)>> faults{[](Options& o) { o.characteristic_gradient_tolerance = -1; },
+                                                          [](Options& o) { o.characteristic_gradient_tolerance = not_a_number; },
+                                                          [](Options& o) { o.characteristic_gradient_tolerance = infinity; },
+                                                          [](Options& o) { o.gradient_tolerance = -1; },
+                                                          [](Options& o) { o.gradient_tolerance = not_a_number; },
+                                                          [](Options& o) { o.relative_energy_tolerance = -1; },
+                                                          [](Options& o) { o.relative_energy_tolerance = not_a_number; },
+                                                          [](Options& o) { o.stagnation_iterations = 0; },
+                                                          [](Options& o) { o.target_energy = not_a_number; },
+                                                          [](Options& o) { o.max_iterations = -1; },
+                                                          [](Options& o) { o.max_seconds = -1; },
+                                                          [](Options& o) { o.max_seconds = not_a_number; },
+                                                          [](Options& o) { o.step_fraction = 0; },
+                                                          [](Options& o) { o.step_fraction = 1; },
+                                                          [](Options& o) { o.step_fraction = not_a_number; },
+                                                          [](Options& o) { o.armijo = 0; },
+                                                          [](Options& o) { o.armijo = 0.5; },
+                                                          [](Options& o) { o.armijo = not_a_number; },
+                                                          [](Options& o) { o.max_line_search_steps = 0; }};
+  const std::vector<std::string> fields{"tolerance",   "stagnation_iterations", "target_energy", "max_iterations",
+                                        "max_seconds", "step_fraction",         "armijo",        "max_line_search_steps"};
   for(const auto& fault : faults) {
     Options options;
     fault(options);

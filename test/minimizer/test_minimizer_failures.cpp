@@ -36,14 +36,20 @@ struct Energy_with_hole : FFM::Symmetric_dirichlet
 struct Nan_energy : FFM::Symmetric_dirichlet
 {
   template <int D>
-  double value(const Eigen::Matrix<double, D, 1>&) const { return not_a_number; }
+  double value(const Eigen::Matrix<double, D, 1>&) const
+  {
+    return not_a_number;
+  }
 };
 
 // Its derivatives promise a decrease that never comes.
 struct Flat_energy : FFM::Symmetric_dirichlet
 {
   template <int D>
-  double value(const Eigen::Matrix<double, D, 1>&) const { return 2; }
+  double value(const Eigen::Matrix<double, D, 1>&) const
+  {
+    return 2;
+  }
 };
 
 struct Nan_preconditioner : FFM::Projected_newton

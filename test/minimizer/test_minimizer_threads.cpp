@@ -27,8 +27,8 @@ using namespace test_support;
 namespace {
 
 template <typename Tag>
-using Traits = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default,
-                                         CGAL::Default, Tag>;
+using Traits =
+  FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, Tag>;
 
 template <int D, typename Tag>
 FFM::Summary minimize(const FFM::Simplicial_domain<D>& domain, FFM::Positions<D>& x)

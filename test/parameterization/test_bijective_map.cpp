@@ -134,7 +134,8 @@ BOOST_AUTO_TEST_CASE(more_than_one_turn)
   BOOST_TEST(!FFM::is_bijective(example.mesh, example.uv));
 
   const FFM::Summary summary = example.map(true);
-  BOOST_TEST_CONTEXT(summary) {
+  BOOST_TEST_CONTEXT(summary)
+  {
     BOOST_TEST(FFM::status_name(summary.status) == std::string("success"));
     BOOST_TEST(summary.is_bijective == 1);
     BOOST_TEST(!example.overlaps());

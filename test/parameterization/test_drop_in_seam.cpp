@@ -21,28 +21,28 @@
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
-typedef CGAL::Simple_cartesian<double>                        Kernel;
-typedef Kernel::Point_2                                       Point_2;
-typedef CGAL::Polyhedron_3<Kernel>                            PolyMesh;
-typedef boost::graph_traits<PolyMesh>::edge_descriptor        SM_edge_descriptor;
-typedef boost::graph_traits<PolyMesh>::halfedge_descriptor    SM_halfedge_descriptor;
-typedef boost::graph_traits<PolyMesh>::vertex_descriptor      SM_vertex_descriptor;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_2 Point_2;
+typedef CGAL::Polyhedron_3<Kernel> PolyMesh;
+typedef boost::graph_traits<PolyMesh>::edge_descriptor SM_edge_descriptor;
+typedef boost::graph_traits<PolyMesh>::halfedge_descriptor SM_halfedge_descriptor;
+typedef boost::graph_traits<PolyMesh>::vertex_descriptor SM_vertex_descriptor;
 
 typedef CGAL::Unique_hash_map<SM_halfedge_descriptor, Point_2> UV_uhm;
-typedef CGAL::Unique_hash_map<SM_edge_descriptor, bool>       Seam_edge_uhm;
-typedef CGAL::Unique_hash_map<SM_vertex_descriptor, bool>     Seam_vertex_uhm;
-typedef boost::associative_property_map<UV_uhm>               UV_pmap;
-typedef boost::associative_property_map<Seam_edge_uhm>        Seam_edge_pmap;
-typedef boost::associative_property_map<Seam_vertex_uhm>      Seam_vertex_pmap;
+typedef CGAL::Unique_hash_map<SM_edge_descriptor, bool> Seam_edge_uhm;
+typedef CGAL::Unique_hash_map<SM_vertex_descriptor, bool> Seam_vertex_uhm;
+typedef boost::associative_property_map<UV_uhm> UV_pmap;
+typedef boost::associative_property_map<Seam_edge_uhm> Seam_edge_pmap;
+typedef boost::associative_property_map<Seam_vertex_uhm> Seam_vertex_pmap;
 
 typedef CGAL::Seam_mesh<PolyMesh, Seam_edge_pmap, Seam_vertex_pmap> Mesh;
-typedef boost::graph_traits<Mesh>::vertex_descriptor          vertex_descriptor;
-typedef boost::graph_traits<Mesh>::halfedge_descriptor        halfedge_descriptor;
+typedef boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+typedef boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef FFM::Flip_free_parameterizer_3<Mesh>                  Parameterizer;
+typedef FFM::Flip_free_parameterizer_3<Mesh> Parameterizer;
 
 BOOST_AUTO_TEST_CASE(closed_surface_with_a_seam)
 {

@@ -25,19 +25,19 @@
 #include <type_traits>
 #include <vector>
 
-typedef CGAL::Simple_cartesian<double>                          Kernel;
-typedef Kernel::Point_2                                         Point_2;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                     SurfaceMesh;
-typedef boost::graph_traits<SurfaceMesh>::vertex_descriptor     vertex_descriptor;
-typedef boost::graph_traits<SurfaceMesh>::halfedge_descriptor   halfedge_descriptor;
-typedef SurfaceMesh::Property_map<vertex_descriptor, Point_2>   UV_pmap;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_2 Point_2;
+typedef CGAL::Surface_mesh<Kernel::Point_3> SurfaceMesh;
+typedef boost::graph_traits<SurfaceMesh>::vertex_descriptor vertex_descriptor;
+typedef boost::graph_traits<SurfaceMesh>::halfedge_descriptor halfedge_descriptor;
+typedef SurfaceMesh::Property_map<vertex_descriptor, Point_2> UV_pmap;
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace FFM = CGAL::Flip_free_maps;
 using test_support::add_soup;
 using test_support::bumpy_soup;
 
-typedef FFM::Flip_free_parameterizer_3<SurfaceMesh>             Parameterizer;
+typedef FFM::Flip_free_parameterizer_3<SurfaceMesh> Parameterizer;
 
 namespace {
 
@@ -71,8 +71,7 @@ static_assert(std::is_same<Parameterizer::TriangleMesh, SurfaceMesh>::value, "")
 static_assert(std::is_same<Parameterizer::Triangle_mesh, SurfaceMesh>::value, "");
 static_assert(std::is_same<Parameterizer::vertex_descriptor, vertex_descriptor>::value, "");
 static_assert(std::is_same<Parameterizer::halfedge_descriptor, halfedge_descriptor>::value, "");
-static_assert(std::is_same<Parameterizer::Border_parameterizer,
-                           SMP::Circular_border_arc_length_parameterizer_3<SurfaceMesh>>::value, "");
+static_assert(std::is_same<Parameterizer::Border_parameterizer, SMP::Circular_border_arc_length_parameterizer_3<SurfaceMesh>>::value, "");
 static_assert(std::is_copy_constructible<Parameterizer>::value, "CGAL passes parameterizers by value");
 
 BOOST_FIXTURE_TEST_CASE(parameterizer_by_value, Fixture)
@@ -154,30 +153,33 @@ BOOST_FIXTURE_TEST_CASE(solver_traits_are_honoured, Fixture)
 BOOST_AUTO_TEST_CASE(every_status_has_a_code)
 {
   using FFM::Status;
-  const struct { Status status; SMP::Error_code code; } cases[] = {
-    {Status::success, SMP::OK},
-    {Status::iteration_limit, SMP::OK},
-    {Status::time_limit, SMP::OK},
-    {Status::stopped_by_observer, SMP::OK},
-    {Status::empty_mesh, SMP::ERROR_EMPTY_MESH},
-    {Status::not_triangular, SMP::ERROR_NON_TRIANGULAR_MESH},
-    {Status::no_border, SMP::ERROR_NO_TOPOLOGICAL_DISC},
-    {Status::several_components, SMP::ERROR_NO_TOPOLOGICAL_DISC},
-    {Status::not_a_disk, SMP::ERROR_NO_TOPOLOGICAL_DISC},
-    {Status::non_manifold, SMP::ERROR_NO_TOPOLOGICAL_DISC},
-    {Status::degenerate_rest_element, SMP::ERROR_WRONG_PARAMETER},
-    {Status::non_finite_input, SMP::ERROR_WRONG_PARAMETER},
-    {Status::start_not_flip_free, SMP::ERROR_NO_1_TO_1_MAPPING},
-    {Status::unreachable_constraints, SMP::ERROR_NO_1_TO_1_MAPPING},
-    {Status::linear_solver_failed, SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM},
-    {Status::line_search_failed, SMP::ERROR_NO_1_TO_1_MAPPING},
-    {Status::result_not_representable, SMP::ERROR_NO_1_TO_1_MAPPING},
-    {Status::invalid_option, SMP::ERROR_WRONG_PARAMETER},
-    {Status::file_error, SMP::ERROR_WRONG_PARAMETER},
-    {Status::out_of_memory, SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM},
-    {Status::not_planar, SMP::ERROR_WRONG_PARAMETER},
-    {Status::flips_remain, SMP::ERROR_NO_1_TO_1_MAPPING},
-    {Status::not_bijective, SMP::ERROR_NO_1_TO_1_MAPPING}};
+  const struct
+  {
+    Status status;
+    SMP::Error_code code;
+  } cases[] = {{Status::success, SMP::OK},
+               {Status::iteration_limit, SMP::OK},
+               {Status::time_limit, SMP::OK},
+               {Status::stopped_by_observer, SMP::OK},
+               {Status::empty_mesh, SMP::ERROR_EMPTY_MESH},
+               {Status::not_triangular, SMP::ERROR_NON_TRIANGULAR_MESH},
+               {Status::no_border, SMP::ERROR_NO_TOPOLOGICAL_DISC},
+               {Status::several_components, SMP::ERROR_NO_TOPOLOGICAL_DISC},
+               {Status::not_a_disk, SMP::ERROR_NO_TOPOLOGICAL_DISC},
+               {Status::non_manifold, SMP::ERROR_NO_TOPOLOGICAL_DISC},
+               {Status::degenerate_rest_element, SMP::ERROR_WRONG_PARAMETER},
+               {Status::non_finite_input, SMP::ERROR_WRONG_PARAMETER},
+               {Status::start_not_flip_free, SMP::ERROR_NO_1_TO_1_MAPPING},
+               {Status::unreachable_constraints, SMP::ERROR_NO_1_TO_1_MAPPING},
+               {Status::linear_solver_failed, SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM},
+               {Status::line_search_failed, SMP::ERROR_NO_1_TO_1_MAPPING},
+               {Status::result_not_representable, SMP::ERROR_NO_1_TO_1_MAPPING},
+               {Status::invalid_option, SMP::ERROR_WRONG_PARAMETER},
+               {Status::file_error, SMP::ERROR_WRONG_PARAMETER},
+               {Status::out_of_memory, SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM},
+               {Status::not_planar, SMP::ERROR_WRONG_PARAMETER},
+               {Status::flips_remain, SMP::ERROR_NO_1_TO_1_MAPPING},
+               {Status::not_bijective, SMP::ERROR_NO_1_TO_1_MAPPING}};
   BOOST_TEST(std::size(cases) == static_cast<std::size_t>(Status::not_bijective) + 1);
   for(const auto& c : cases) {
     BOOST_TEST(FFM::to_error_code(c.status) == c.code);

@@ -24,13 +24,13 @@
 #include <string>
 #include <vector>
 
-typedef CGAL::Simple_cartesian<double>                        Kernel;
-typedef Kernel::Point_2                                       Point_2;
-typedef CGAL::Polyhedron_3<Kernel>                            PolyMesh;
-typedef boost::graph_traits<PolyMesh>::halfedge_descriptor    halfedge_descriptor;
-typedef boost::graph_traits<PolyMesh>::vertex_descriptor      vertex_descriptor;
-typedef CGAL::Unique_hash_map<vertex_descriptor, Point_2>     UV_uhm;
-typedef boost::associative_property_map<UV_uhm>               UV_pmap;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_2 Point_2;
+typedef CGAL::Polyhedron_3<Kernel> PolyMesh;
+typedef boost::graph_traits<PolyMesh>::halfedge_descriptor halfedge_descriptor;
+typedef boost::graph_traits<PolyMesh>::vertex_descriptor vertex_descriptor;
+typedef CGAL::Unique_hash_map<vertex_descriptor, Point_2> UV_uhm;
+typedef boost::associative_property_map<UV_uhm> UV_pmap;
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 namespace FFM = CGAL::Flip_free_maps;
@@ -86,7 +86,7 @@ struct Fixture
   bool start_has(const std::string& text) const { return summary.start.find(text) != std::string::npos; }
 };
 
-typedef SMP::Square_border_uniform_parameterizer_3<PolyMesh>    Uniform;
+typedef SMP::Square_border_uniform_parameterizer_3<PolyMesh> Uniform;
 typedef SMP::Square_border_arc_length_parameterizer_3<PolyMesh> Arc_length;
 
 } // namespace
@@ -96,12 +96,14 @@ BOOST_FIXTURE_TEST_CASE(corners_are_given, Fixture)
   // Every side of the square gets a side of the sheet.
   const vertex_descriptor a = vertices[0], b = vertices[11], c = vertices[119], d = vertices[108];
   check(parameterizer(Uniform(a, b, c, d)));
-  BOOST_TEST_CONTEXT(summary.start) {
+  BOOST_TEST_CONTEXT(summary.start)
+  {
     BOOST_TEST(start_has("given border"));
     BOOST_TEST(!start_has("circle"));
   }
   check(parameterizer(Arc_length(a, b, c, d)));
-  BOOST_TEST_CONTEXT(summary.start) {
+  BOOST_TEST_CONTEXT(summary.start)
+  {
     BOOST_TEST(start_has("given border"));
     BOOST_TEST(!start_has("circle"));
   }
@@ -141,7 +143,8 @@ BOOST_FIXTURE_TEST_CASE(strip_on_one_side, Strip)
 {
   // It has no vertex inside, so that it can be laid flat as it is.
   check(parameterizer(border()));
-  BOOST_TEST_CONTEXT(summary.start) {
+  BOOST_TEST_CONTEXT(summary.start)
+  {
     BOOST_TEST(start_has("unfolded"));
     BOOST_TEST(start_has("given border"));
     BOOST_TEST(start_has("flipped"));
@@ -164,7 +167,8 @@ BOOST_FIXTURE_TEST_CASE(strip_without_fallbacks, Strip)
 BOOST_FIXTURE_TEST_CASE(border_parameterizer_that_fails, Fixture)
 {
   check(parameterizer(Refusing()));
-  BOOST_TEST_CONTEXT(summary.start) {
+  BOOST_TEST_CONTEXT(summary.start)
+  {
     BOOST_TEST(start_has("circle"));
     BOOST_TEST(start_has("failed"));
   }

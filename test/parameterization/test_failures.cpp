@@ -57,7 +57,8 @@ struct Fixture
     const Point_2 sentinel(12345, -54321);
     auto uv = mesh.add_property_map<Vertex, Point_2>("v:uv", sentinel).first;
     summary = FFM::parameterize(mesh, h, uv, traits);
-    BOOST_TEST_CONTEXT(summary.message) {
+    BOOST_TEST_CONTEXT(summary.message)
+    {
       BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(status));
       BOOST_TEST(!summary.is_valid());
       BOOST_TEST(!summary.converged());
@@ -74,7 +75,8 @@ struct Fixture
   {
     auto uv = mesh.add_property_map<Vertex, Plain_point_2>("v:uv").first;
     summary = FFM::parameterize(mesh, h, uv, tight_traits());
-    BOOST_TEST_CONTEXT(summary.message) {
+    BOOST_TEST_CONTEXT(summary.message)
+    {
       BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::success));
       BOOST_TEST(FFM::number_of_flipped_elements(mesh, uv) == 0);
       BOOST_TEST(std::abs(summary.energy - energy) <= tolerance);
@@ -308,8 +310,8 @@ BOOST_FIXTURE_TEST_CASE(degenerate_triangles, Fixture)
     check_failure(corner_halfedge(mesh), Status::degenerate_rest_element);
     // The mesh' own number of the face, not that of some walk.
     BOOST_TEST_CONTEXT(summary.message)
-      BOOST_TEST((message_has("number " + std::to_string(soup.triangles.size() - 1)) ||
-                  (!collinear && message_has("number " + std::to_string(soup.triangles.size() - 2)))));
+    BOOST_TEST((message_has("number " + std::to_string(soup.triangles.size() - 1)) ||
+                (!collinear && message_has("number " + std::to_string(soup.triangles.size() - 2)))));
   }
 }
 
@@ -345,13 +347,14 @@ BOOST_FIXTURE_TEST_CASE(any_scale_and_place_will_do, Fixture)
   for(const double scale : {1e150, 1e-170, 1e300, 1e-290}) {
     mesh.clear();
     const auto vertices = add_soup(transformed(soup, scale, 0), mesh);
-    BOOST_TEST_CONTEXT("scale " << scale) {
+    BOOST_TEST_CONTEXT("scale " << scale)
+    {
       check_success(corner_halfedge(mesh), energy);
       auto uv = mesh.add_property_map<Vertex, Plain_point_2>("v:uv").first;
       FFM::parameterize(mesh, corner_halfedge(mesh), uv);
       // In the surface's own units.
-      const double length = std::hypot((uv[vertices[0]].x() - uv[vertices[11]].x()) / scale,
-                                       (uv[vertices[0]].y() - uv[vertices[11]].y()) / scale);
+      const double length =
+        std::hypot((uv[vertices[0]].x() - uv[vertices[11]].x()) / scale, (uv[vertices[0]].y() - uv[vertices[11]].y()) / scale);
       BOOST_TEST(length > 0.9);
       BOOST_TEST(length < 1.5);
     }
@@ -451,7 +454,7 @@ BOOST_FIXTURE_TEST_CASE(linear_solvers_that_fail, Fixture)
   auto uv = mesh.add_property_map<Vertex, Plain_point_2>("v:fallback").first;
   summary = FFM::parameterize(mesh, h, uv, Traits_with<Failing_solver>());
   BOOST_TEST_CONTEXT(summary.message)
-    BOOST_TEST(summary.converged());
+  BOOST_TEST(summary.converged());
   BOOST_TEST(summary.linear_solver.find("failing, then ") == 0u);
   BOOST_TEST(summary.start.find("mean_value") != std::string::npos);
   BOOST_TEST(FFM::number_of_flipped_elements(mesh, uv) == 0);
@@ -504,25 +507,29 @@ BOOST_AUTO_TEST_CASE(files_of_faulty_meshes)
     BOOST_TEST_MESSAGE("skipped: there is no folder " << folder);
     return;
   }
-  const struct { const char* name; Status status; } cases[] = {
-    {"bad_annulus", Status::success},
-    {"bad_closed_cube", Status::no_border},
-    {"bad_closed_tetrahedron", Status::no_border},
-    {"bad_collinear_triangle", Status::degenerate_rest_element},
-    {"bad_zero_area_triangle", Status::degenerate_rest_element},
-    {"bad_mixed_polygons", Status::not_triangular},
-    {"bad_quads", Status::not_triangular},
-    {"bad_cgal_issue_4290", Status::success},
-    {"bad_far_from_origin", Status::success},
-    {"bad_huge_coordinates", Status::success},
-    {"bad_isolated_vertex", Status::success},
-    {"bad_near_degenerate", Status::success},
-    {"bad_single_triangle", Status::success},
-    {"bad_tiny_coordinates", Status::success},
-    {"bad_two_components", Status::success},
-    {"bad_two_triangles", Status::success}};
+  const struct
+  {
+    const char* name;
+    Status status;
+  } cases[] = {{"bad_annulus", Status::success},
+               {"bad_closed_cube", Status::no_border},
+               {"bad_closed_tetrahedron", Status::no_border},
+               {"bad_collinear_triangle", Status::degenerate_rest_element},
+               {"bad_zero_area_triangle", Status::degenerate_rest_element},
+               {"bad_mixed_polygons", Status::not_triangular},
+               {"bad_quads", Status::not_triangular},
+               {"bad_cgal_issue_4290", Status::success},
+               {"bad_far_from_origin", Status::success},
+               {"bad_huge_coordinates", Status::success},
+               {"bad_isolated_vertex", Status::success},
+               {"bad_near_degenerate", Status::success},
+               {"bad_single_triangle", Status::success},
+               {"bad_tiny_coordinates", Status::success},
+               {"bad_two_components", Status::success},
+               {"bad_two_triangles", Status::success}};
   for(const auto& c : cases)
-    BOOST_TEST_CONTEXT(c.name) {
+    BOOST_TEST_CONTEXT(c.name)
+    {
       std::vector<Mesh::Point> points;
       std::vector<std::vector<std::size_t>> polygons;
       BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_soup(folder + "/" + c.name + ".off", points, polygons));

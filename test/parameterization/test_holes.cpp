@@ -210,7 +210,8 @@ BOOST_AUTO_TEST_CASE(flat_sheets_keep_all_distances)
 BOOST_AUTO_TEST_CASE(hole_with_thousands_of_edges)
 {
   // A narrow flat ring; the hole is nearly all of it.
-  Example example(tube(2500, 3, [](int j) { return 1 - 0.002 * j; }, [](int) { return 0.25; }));
+  Example example(tube(
+    2500, 3, [](int j) { return 1 - 0.002 * j; }, [](int) { return 0.25; }));
   auto traits = tight_traits();
   traits.start.multilevel_size = -1;
   const FFM::Summary summary = FFM::parameterize(example.mesh, example.border(), example.uv, traits);
@@ -260,7 +261,8 @@ BOOST_AUTO_TEST_CASE(start_does_not_matter)
 BOOST_AUTO_TEST_CASE(tubes_become_rings)
 {
   const int around = 24, circles = 6;
-  const Soup cylinder = tube(around, circles, [](int) { return 1.; }, [](int j) { return 0.2 * j; });
+  const Soup cylinder = tube(
+    around, circles, [](int) { return 1.; }, [](int j) { return 0.2 * j; });
   Example example(cylinder);
   const FFM::Summary summary = example.map();
   std::vector<double> radii;
@@ -302,7 +304,9 @@ BOOST_AUTO_TEST_CASE(curvature_of_holes)
   BOOST_TEST(total_curvature(Example(sheet(12, 10, true, has_many_holes)).domain()) <= 1e-9);
   const auto one = [](int) { return 1.; };
   BOOST_TEST(std::abs(total_curvature(Example(tube(16, 5, one, [](int j) { return 0.3 * j; })).domain()) - 2 * CGAL_PI) <= 1e-9);
-  BOOST_TEST(total_curvature(Example(tube(16, 5, [](int j) { return 1 + 0.3 * j; }, one)).domain()) <= 1e-9);
+  BOOST_TEST(total_curvature(Example(tube(
+                                       16, 5, [](int j) { return 1 + 0.3 * j; }, one))
+                               .domain()) <= 1e-9);
   // A cone of slope 45 degrees whose circles lie on planes:
   // the angle at its missing tip is the perimeter over the length of a side.
   const int around = 16;
@@ -320,8 +324,8 @@ BOOST_AUTO_TEST_CASE(fixed_borders)
   for(const Vertex v : example.mesh.vertices())
     start[v] = Plain_point_2(1.2 * example.mesh.point(v)[0] + 0.4 * example.mesh.point(v)[1], example.mesh.point(v)[1]);
   const boost::associative_property_map<std::map<Vertex, Plain_point_2>> start_map(start);
-  const FFM::Summary summary = FFM::parameterize(
-    example.mesh, example.border(), example.uv, FFM::parameters::border_is_fixed(true, FFM::parameters::start_map(start_map)));
+  const FFM::Summary summary = FFM::parameterize(example.mesh, example.border(), example.uv,
+                                                 FFM::parameters::border_is_fixed(true, FFM::parameters::start_map(start_map)));
   BOOST_TEST(FFM::status_name(summary.status) == std::string("success"));
   BOOST_TEST(summary.energy < summary.energy_initial);
   BOOST_TEST(FFM::number_of_flipped_elements(example.mesh, example.uv) == 0);
@@ -342,7 +346,9 @@ BOOST_AUTO_TEST_CASE(fixed_borders)
 BOOST_AUTO_TEST_CASE(filled_holes_are_disks)
 {
   for(int n = 3; n <= 40; n = n < 20 ? n + 1 : n + 7) {
-    const FFM::Simplicial_domain<2> ring = Example(tube(n, 2, [](int j) { return 1 + 0.3 * j; }, [](int) { return 0.; })).domain();
+    const FFM::Simplicial_domain<2> ring = Example(tube(
+                                                     n, 2, [](int j) { return 1 + 0.3 * j; }, [](int) { return 0.; }))
+                                             .domain();
     const FFM::Simplicial_domain<2> disk = FFM::internal::fill_holes(ring);
     BOOST_TEST(disk.holes.empty());
     std::map<std::pair<int, int>, int> halfedges;

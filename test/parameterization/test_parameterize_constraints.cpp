@@ -75,7 +75,7 @@ struct Fixture
     const FFM::Summary summary = run(np);
     BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(status));
     BOOST_TEST_CONTEXT(summary.message)
-      BOOST_TEST(summary.message.find(part) != std::string::npos);
+    BOOST_TEST(summary.message.find(part) != std::string::npos);
     for(const Vertex v : vertices)
       BOOST_TEST_REQUIRE((uv[v] == Point_2(77, 77)));
   }
@@ -230,8 +230,7 @@ BOOST_FIXTURE_TEST_CASE(soft_positions, Fixture)
       {graph.number_of(std::get<0>(s)), Eigen::Vector2d(p.x(), p.y()) / graph.domain().scale, std::get<2>(s)});
     // Lengths in units of the square root of the area.
     const Point_2 q = uv[std::get<0>(s)];
-    terms += std::get<2>(s) * (std::pow(p.x() - q.x(), 2) + std::pow(p.y() - q.y(), 2)) /
-             CGAL::Polygon_mesh_processing::area(mesh);
+    terms += std::get<2>(s) * (std::pow(p.x() - q.x(), 2) + std::pow(p.y() - q.y(), 2)) / CGAL::Polygon_mesh_processing::area(mesh);
   }
   BOOST_TEST(terms > 1e-3);
   BOOST_TEST(std::abs(summary.energy_of_terms - terms) <= 1e-11);

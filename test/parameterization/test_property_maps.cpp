@@ -99,15 +99,9 @@ BOOST_FIXTURE_TEST_CASE(uv_in_a_map, Fixture)
   BOOST_TEST(hashed.size() == soup.points.size());
 }
 
-BOOST_FIXTURE_TEST_CASE(uv_in_a_growing_vector, Fixture)
-{
-  check(boost::make_vector_property_map<Plain_point_2>(index));
-}
+BOOST_FIXTURE_TEST_CASE(uv_in_a_growing_vector, Fixture) { check(boost::make_vector_property_map<Plain_point_2>(index)); }
 
-BOOST_FIXTURE_TEST_CASE(uv_in_a_dynamic_property, Fixture)
-{
-  check(get(CGAL::dynamic_vertex_property_t<Plain_point_2>(), mesh));
-}
+BOOST_FIXTURE_TEST_CASE(uv_in_a_dynamic_property, Fixture) { check(get(CGAL::dynamic_vertex_property_t<Plain_point_2>(), mesh)); }
 
 BOOST_FIXTURE_TEST_CASE(uv_without_cgal_points, Fixture)
 {

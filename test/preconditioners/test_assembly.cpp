@@ -36,8 +36,8 @@ using namespace test_support;
 namespace {
 
 template <typename Preconditioner, typename Tag = CGAL::Sequential_tag>
-using Traits = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, Preconditioner, CGAL::Default, CGAL::Default, CGAL::Default,
-                                         CGAL::Default, Tag>;
+using Traits =
+  FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, Preconditioner, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, Tag>;
 
 template <int D>
 using Matrix = Eigen::Matrix<double, D, D>;
@@ -123,8 +123,7 @@ Eigen::MatrixXd killing_of_equation_6(const FFM::Simplicial_domain<D>& domain, c
     for(int i = 0; i <= D; ++i)
       for(int j = 0; j <= D; ++j)
         K.template block<D, D>(D * domain.elements[e][i], D * domain.elements[e][j]) +=
-          measure * (gradients.col(j) * gradients.col(i).transpose() +
-                     gradients.col(i).dot(gradients.col(j)) * Matrix<D>::Identity());
+          measure * (gradients.col(j) * gradients.col(i).transpose() + gradients.col(i).dot(gradients.col(j)) * Matrix<D>::Identity());
   }
   return K;
 }
@@ -178,8 +177,7 @@ Eigen::MatrixXd killing_of_equation_10(const FFM::Simplicial_domain<3>& domain, 
         const Eigen::Vector3d x_0 = x.col(t[i]), x_1 = x.col(t[j]), x_2 = x.col(others[0]), x_3 = x.col(others[1]);
         const Eigen::Vector3d a = x_1 - x_3, b = x_3 - x_2, c = x_2 - x_0;
         const Eigen::Vector3d n_1 = b.cross(a), n_2 = b.cross(c);
-        K.block<3, 3>(3 * t[i], 3 * t[j]) +=
-          (n_2 * n_1.transpose() + n_1.dot(n_2) * Eigen::Matrix3d::Identity()) / (36 * volume);
+        K.block<3, 3>(3 * t[i], 3 * t[j]) += (n_2 * n_1.transpose() + n_1.dot(n_2) * Eigen::Matrix3d::Identity()) / (36 * volume);
       }
   }
   close_rows<3>(K);

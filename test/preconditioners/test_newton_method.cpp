@@ -27,8 +27,8 @@ namespace {
 
 typedef FFM::Any_map_traits Traits;
 
-FFM::Summary minimized(const char* method, const FFM::Simplicial_domain<2>& domain, FFM::Positions<2>& x,
-                       const FFM::Map_options& options, bool with_eigen = true)
+FFM::Summary minimized(const char* method, const FFM::Simplicial_domain<2>& domain, FFM::Positions<2>& x, const FFM::Map_options& options,
+                       bool with_eigen = true)
 {
   Traits traits;
   BOOST_TEST_REQUIRE(traits.use_method(method));
@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(newton_converges_quadratically)
     x = start;
     const FFM::Summary summary = minimized("newton", domain, x, options, with_eigen);
     energy = summary.energy;
-    BOOST_TEST_CONTEXT(summary.linear_solver) {
+    BOOST_TEST_CONTEXT(summary.linear_solver)
+    {
       BOOST_TEST(summary.converged());
       // Along rotations the curvature is that of the gradient, and may be negative until the end:
       // Cholesky factorizations refuse that.
@@ -100,7 +101,8 @@ BOOST_AUTO_TEST_CASE(newton_falls_back_from_indefinite_matrices)
   for(const bool with_eigen : {true, false}) {
     x = start;
     const FFM::Summary summary = minimized("newton", domain, x, options, with_eigen);
-    BOOST_TEST_CONTEXT(summary.linear_solver) {
+    BOOST_TEST_CONTEXT(summary.linear_solver)
+    {
       BOOST_TEST(summary.converged());
       if(summary.linear_solver.find("cholmod") != std::string::npos)
         BOOST_TEST(summary.fallbacks >= 1);

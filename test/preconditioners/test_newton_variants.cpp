@@ -65,15 +65,9 @@ Eigen::MatrixXd filtered(const Eigen::MatrixXd& matrix, double (*f)(double))
   return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-double clamp(double value)
-{
-  return value > 0 ? value : 0;
-}
+double clamp(double value) { return value > 0 ? value : 0; }
 
-double mirror(double value)
-{
-  return value > 0 ? value : -value;
-}
+double mirror(double value) { return value > 0 ? value : -value; }
 
 template <int D>
 std::vector<Matrix<D>> samples()
@@ -98,7 +92,8 @@ void check_filters(const Energy& energy, const Value& value)
   int indefinite = 0;
   for(const Matrix<D>& J : samples<D>()) {
     const Eigen::MatrixXd hessian = full_matrix<D>(FFM::Newton(), energy, J);
-    BOOST_TEST((hessian - hessian_by_differences<D>([&value](const Matrix<D>& m) { return value.template operator()<D>(m); }, J)).norm() <= 1e-6 * hessian.norm());
+    BOOST_TEST((hessian - hessian_by_differences<D>([&value](const Matrix<D>& m) { return value.template operator()<D>(m); }, J)).norm() <=
+               1e-6 * hessian.norm());
     const Eigen::MatrixXd clamped = filtered(hessian, clamp), mirrored = filtered(hessian, mirror);
     BOOST_TEST((full_matrix<D>(clamping, energy, J) - clamped).norm() <= 1e-10 * hessian.norm());
     BOOST_TEST((full_matrix<D>(absolute, energy, J) - mirrored).norm() <= 1e-10 * hessian.norm());

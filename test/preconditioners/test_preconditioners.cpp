@@ -128,8 +128,8 @@ Full_matrix<D> symmetric_dirichlet_hessian(const Matrix<D>& J, const Full_matrix
       const Matrix<D> Y = Eigen::Map<const Matrix<D>>(directions.col(b).data());
       const Long_matrix x = X.template cast<long double>(), y = Y.template cast<long double>();
       const Long_matrix mxm = M * x * M, mym = M * y * M;
-      const long double value = (x.array() * y.array()).sum() + (mxm.array() * mym.array()).sum() +
-                                (M.array() * (mxm * y * M + mym * x * M).array()).sum();
+      const long double value =
+        (x.array() * y.array()).sum() + (mxm.array() * mym.array()).sum() + (M.array() * (mxm * y * M + mym * x * M).array()).sum();
       hessian(a, b) = static_cast<double>(value / D);
     }
   return hessian;
@@ -232,8 +232,7 @@ void check_slim_near_isometry()
 {
   for(double distance = 1e-3; distance > 1e-17; distance *= 0.3)
     for(double sign : {-1., 1.}) {
-      const Full_matrix<D> slim =
-        frame_matrix<D>(FFM::Slim(), FFM::Symmetric_dirichlet(), Vector<D>::Constant(1 + sign * distance));
+      const Full_matrix<D> slim = frame_matrix<D>(FFM::Slim(), FFM::Symmetric_dirichlet(), Vector<D>::Constant(1 + sign * distance));
       const Full_matrix<D> limit = 4. / D * Full_matrix<D>::Identity();
       BOOST_TEST((slim - limit).cwiseAbs().maxCoeff() <= 10 * distance + 1e-7);
     }
@@ -273,8 +272,7 @@ template <int D>
 void check_laplacian()
 {
   for(const Matrix<D>& J : jacobian_samples<D>(true))
-    BOOST_TEST((full_matrix<D>(FFM::Laplacian(), FFM::Symmetric_dirichlet(), J) -
-                4. / D * Full_matrix<D>::Identity()).norm() <= 1e-13);
+    BOOST_TEST((full_matrix<D>(FFM::Laplacian(), FFM::Symmetric_dirichlet(), J) - 4. / D * Full_matrix<D>::Identity()).norm() <= 1e-13);
 }
 
 template <int D>
@@ -339,8 +337,7 @@ BOOST_AUTO_TEST_CASE(projection_of_indefinite_stretch_blocks)
     Matrix<3> m = random_matrix + random_matrix.transpose();
     const Eigen::SelfAdjointEigenSolver<Matrix<3>> eigen(m);
     indefinite += eigen.eigenvalues()[0] < 0 && eigen.eigenvalues()[2] > 0;
-    const Matrix<3> expected =
-      eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
+    const Matrix<3> expected = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
     FFM::internal::project_to_psd(m);
     BOOST_TEST((m - expected).norm() <= 1e-7 * expected.norm() + 1e-7);
   }
@@ -416,9 +413,7 @@ BOOST_AUTO_TEST_CASE(majorization_exceeds_the_hessian)
   const FFM::Symmetric_dirichlet energy;
   for(const Matrix<2>& J : jacobian_samples<2>()) {
     const Full_matrix<2> hessian = symmetric_dirichlet_hessian<2>(J, Full_matrix<2>::Identity());
-    const auto smallest = [](const Full_matrix<2>& m) {
-      return Eigen::SelfAdjointEigenSolver<Full_matrix<2>>(m).eigenvalues().minCoeff();
-    };
+    const auto smallest = [](const Full_matrix<2>& m) { return Eigen::SelfAdjointEigenSolver<Full_matrix<2>>(m).eigenvalues().minCoeff(); };
     const Full_matrix<2> gathered = full_matrix<2>(FFM::Composite_majorization<true>(), energy, J);
     const Full_matrix<2> ungathered = full_matrix<2>(FFM::Composite_majorization<false>(), energy, J);
     BOOST_TEST(smallest(gathered - hessian) >= -1e-9 * hessian.norm());

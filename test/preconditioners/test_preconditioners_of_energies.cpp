@@ -110,9 +110,7 @@ template <int D, typename Energy>
 void check_hessian(const Energy& energy)
 {
   typedef Eigen::Matrix<double, D, D> Jacobian;
-  const auto value = [&energy](const Jacobian& J) {
-    return energy.template value<D>(Eigen::JacobiSVD<Jacobian>(J).singularValues());
-  };
+  const auto value = [&energy](const Jacobian& J) { return energy.template value<D>(Eigen::JacobiSVD<Jacobian>(J).singularValues()); };
   Random random(22);
   for(int k = 0; k < 12; ++k) {
     // Away from 1 and from each other, where energies with absolute values and maxima have kinks.
@@ -136,8 +134,9 @@ void check_stiff_killing(const Energy& energy)
     FFM::Killing().form(state, energy, plain);
     FFM::Killing{FFM::Killing_weight::stiffness}.form(state, energy, stiff);
     const double factor = stiff.stretch(0, 0) / plain.stretch(0, 0);
-    BOOST_TEST((frame_matrix<D>(FFM::Killing{FFM::Killing_weight::stiffness}, energy, s) -
-                factor * frame_matrix<D>(FFM::Killing(), energy, s)).norm() <= 1e-12 * factor * plain.stretch.norm());
+    BOOST_TEST(
+      (frame_matrix<D>(FFM::Killing{FFM::Killing_weight::stiffness}, energy, s) - factor * frame_matrix<D>(FFM::Killing(), energy, s))
+        .norm() <= 1e-12 * factor * plain.stretch.norm());
     double largest = 0;
     for(int i = 0; i < D; ++i)
       largest = (std::max)(largest, state.hessian(i, i) / plain.stretch(i, i));
@@ -217,8 +216,7 @@ BOOST_AUTO_TEST_CASE(slim_newton_chooses_by_shape)
     BOOST_TEST_CONTEXT(energy.energy_name())
     {
       const Vector<2> good(1.5, 0.7), bad(2, 0.1);
-      BOOST_TEST((frame_matrix<2>(FFM::Slim_newton(), energy, good) -
-                  frame_matrix<2>(FFM::Projected_newton(), energy, good)).norm() == 0);
+      BOOST_TEST((frame_matrix<2>(FFM::Slim_newton(), energy, good) - frame_matrix<2>(FFM::Projected_newton(), energy, good)).norm() == 0);
       BOOST_TEST((frame_matrix<2>(FFM::Slim_newton(), energy, bad) - frame_matrix<2>(FFM::Slim(), energy, bad)).norm() == 0);
     }
   }

@@ -31,9 +31,8 @@ namespace {
 // A wavy strip, whose ends a Tutte map on a circle squeezes.
 FFM::Simplicial_domain<2> strip_domain()
 {
-  return make_domain(grid(80, 4, [](double u, double v) {
-    return Eigen::Vector3d(40 * u, 2 * v, 0.2 * std::sin(60 * u) * std::cos(3 * v));
-  }, true));
+  return make_domain(grid(
+    80, 4, [](double u, double v) { return Eigen::Vector3d(40 * u, 2 * v, 0.2 * std::sin(60 * u) * std::cos(3 * v)); }, true));
 }
 
 double distorted_fraction(const FFM::Simplicial_domain<2>& domain, const FFM::Positions<2>& x, double bound)
@@ -81,7 +80,8 @@ BOOST_AUTO_TEST_CASE(progressive_methods_reach_the_optimum)
   // Not an isometry, by much more than energies are compared to.
   BOOST_TEST(expected.summary.energy > 1 + 5e-5);
   for(const char* name : {"pp", "p-cm", "p-slim", "p-akvf"}) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Outcome outcome = minimized(domain, method(name));
       BOOST_TEST(outcome.summary.converged());
       BOOST_TEST(std::abs(outcome.summary.energy - expected.summary.energy) <= 1e-6);
@@ -159,10 +159,10 @@ BOOST_AUTO_TEST_CASE(hybrid_changes_over)
   BOOST_TEST(!uses_second(0, infinity, 0.5));
   BOOST_TEST(asked == 60);
   BOOST_TEST(!uses_second(1, 0.101, 0.0101));
-  BOOST_TEST(uses_second(2, 0.099, 0.5));  // a small decrease
-  BOOST_TEST(uses_second(3, 10., 0.5));    // for the rest of the run
+  BOOST_TEST(uses_second(2, 0.099, 0.5));     // a small decrease
+  BOOST_TEST(uses_second(3, 10., 0.5));       // for the rest of the run
   BOOST_TEST(!uses_second(0, infinity, 0.5)); // a new run
-  BOOST_TEST(uses_second(1, 10., 0.01));   // few distorted elements
+  BOOST_TEST(uses_second(1, 10., 0.01));      // few distorted elements
   BOOST_TEST(uses_second(2, 10., 0.5));
   BOOST_TEST(uses_second(0, infinity, 0.)); // none from the beginning
   hybrid.bound = 10;

@@ -120,8 +120,9 @@ void check_interpolation(FFM::Interpolation interpolation, bool is_common)
   const double K = reference.bound, m = std::sqrt(K + std::sqrt(K * K - 1));
   const bool is_projection = interpolation == FFM::Interpolation::projection;
   const auto between = [&](double s, double t) {
-    return is_projection ? std::min(std::max(s, 1 / m), m)
-                         : interpolation == FFM::Interpolation::exponential ? std::pow(s, t) : t * s + 1 - t;
+    return is_projection                                      ? std::min(std::max(s, 1 / m), m)
+           : interpolation == FFM::Interpolation::exponential ? std::pow(s, t)
+                                                              : t * s + 1 - t;
   };
 
   // The largest t that keeps the distortion of one element within K.
@@ -174,8 +175,7 @@ void check_is_rest_shape(const FFM::Progressive_reference& reference, const FFM:
 {
   bool is_same = true;
   for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
-    is_same = is_same && reference.rest_inverse(domain, e) == domain.rest_inverses[e] &&
-              reference.weight(domain, e) == domain.measures[e];
+    is_same = is_same && reference.rest_inverse(domain, e) == domain.rest_inverses[e] && reference.weight(domain, e) == domain.measures[e];
   BOOST_TEST(is_same);
 }
 
@@ -256,22 +256,10 @@ void check_switching()
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(distortion_from_references_is_bounded_2)
-{
-  check_all_interpolations<2>();
-}
+BOOST_AUTO_TEST_CASE(distortion_from_references_is_bounded_2) { check_all_interpolations<2>(); }
 
-BOOST_AUTO_TEST_CASE(distortion_from_references_is_bounded_3)
-{
-  check_all_interpolations<3>();
-}
+BOOST_AUTO_TEST_CASE(distortion_from_references_is_bounded_3) { check_all_interpolations<3>(); }
 
-BOOST_AUTO_TEST_CASE(rest_shape_takes_over_2)
-{
-  check_switching<2>();
-}
+BOOST_AUTO_TEST_CASE(rest_shape_takes_over_2) { check_switching<2>(); }
 
-BOOST_AUTO_TEST_CASE(rest_shape_takes_over_3)
-{
-  check_switching<3>();
-}
+BOOST_AUTO_TEST_CASE(rest_shape_takes_over_3) { check_switching<3>(); }

@@ -163,8 +163,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_the_term)
   term.update_multipliers(0.5 * x);
   FFM::Positions<2> gradient = FFM::Positions<2>::Zero(2, 9);
   term.add_derivatives(x, gradient, nullptr);
-  const FFM::Positions<2> differences =
-    gradient_by_differences<2>([&](const FFM::Positions<2>& y) { return term.value(y); }, x);
+  const FFM::Positions<2> differences = gradient_by_differences<2>([&](const FFM::Positions<2>& y) { return term.value(y); }, x);
   BOOST_TEST((gradient - differences).norm() <= 1e-9 * gradient.norm());
   BOOST_TEST(gradient.norm() > 1);
 
@@ -222,8 +221,8 @@ BOOST_AUTO_TEST_CASE(seamless_map_of_an_inflated_cube)
   double apart = 0;
   for(const auto e : cube.mesh.edges())
     if(cube.edges[e])
-      apart = (std::max)(apart, quarter_turn_distance(cube.edge_vector(cut, cube.mesh.halfedge(e, 0)),
-                                                      cube.edge_vector(cut, cube.mesh.halfedge(e, 1))));
+      apart = (std::max)(
+        apart, quarter_turn_distance(cube.edge_vector(cut, cube.mesh.halfedge(e, 0)), cube.edge_vector(cut, cube.mesh.halfedge(e, 1))));
   BOOST_TEST(apart > 0.01);
 
   FFM::Seam_options options;
@@ -237,8 +236,8 @@ BOOST_AUTO_TEST_CASE(seamless_map_of_an_inflated_cube)
   BOOST_TEST(FFM::measure_distortion(FFM::textured_mesh(cut, cube.uv)).energy == summary.energy, boost::test_tools::tolerance(1e-9));
   for(const auto e : cube.mesh.edges())
     if(cube.edges[e])
-      BOOST_TEST(quarter_turn_distance(cube.edge_vector(cut, cube.mesh.halfedge(e, 0)),
-                                       cube.edge_vector(cut, cube.mesh.halfedge(e, 1))) <= 1e-7);
+      BOOST_TEST(quarter_turn_distance(cube.edge_vector(cut, cube.mesh.halfedge(e, 0)), cube.edge_vector(cut, cube.mesh.halfedge(e, 1))) <=
+                 1e-7);
   // Eight equal corners share the curvature of the sphere.
   for(const auto v : cube.mesh.vertices())
     if(cube.vertices[v]) {
@@ -263,8 +262,8 @@ BOOST_AUTO_TEST_CASE(prescribed_rotations_and_impossible_ones)
   std::string name, message;
   BOOST_TEST_REQUIRE((graph.load(cut, cube.border(cut), get(CGAL::vertex_point, cut), message) == FFM::Status::success));
   FFM::Positions<2> start;
-  BOOST_TEST_REQUIRE((FFM::internal::make_start(graph.domain(), FFM::Flip_free_map_traits<>(), start, name, message) ==
-                      FFM::Status::success));
+  BOOST_TEST_REQUIRE(
+    (FFM::internal::make_start(graph.domain(), FFM::Flip_free_map_traits<>(), start, name, message) == FFM::Status::success));
   const std::vector<FFM::Seam> seams = FFM::find_seams(cut, graph, 0.3);
   BOOST_TEST_REQUIRE(seams.size() == 7u);
   double length = 0;
@@ -292,8 +291,8 @@ BOOST_AUTO_TEST_CASE(prescribed_rotations_and_impossible_ones)
   FFM::Positions<2> impossible = start;
   FFM::Seam_options options;
   options.largest_weight = 1e3;
-  const FFM::Seam_summary none = FFM::meet_seam_constraints(graph.domain(), impossible, seams, options,
-                                                            FFM::Flip_free_map_traits<>(), std::vector<double>(seams.size(), 0.));
+  const FFM::Seam_summary none = FFM::meet_seam_constraints(graph.domain(), impossible, seams, options, FFM::Flip_free_map_traits<>(),
+                                                            std::vector<double>(seams.size(), 0.));
   BOOST_TEST(FFM::status_name(none.status) == FFM::status_name(FFM::Status::unreachable_constraints));
   BOOST_TEST(none.residual > 1e-3);
   BOOST_TEST((impossible.array() == start.array()).all());

@@ -40,8 +40,7 @@ class Splitting_run
   using Vector = FFM::internal::Vector<D>;
 
 public:
-  Splitting_run(const FFM::Simplicial_domain<D>& domain, const FFM::Positions<D>& start,
-                const FFM::Position_constraints<D>& constraints)
+  Splitting_run(const FFM::Simplicial_domain<D>& domain, const FFM::Positions<D>& start, const FFM::Position_constraints<D>& constraints)
     : m_domain(domain), m_constraints(constraints), m_x(start), m_elements(domain.elements.size())
   {
     m_schedule.build(domain.elements, domain.number_of_vertices);
@@ -93,14 +92,14 @@ public:
     BOOST_TEST_REQUIRE(positions.factorize(solver, [this](std::int64_t e) { return m_elements[e].penalty; }));
     for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e)
       m_elements[e].jacobian = m_domain.jacobian(e, m_x);
-    BOOST_TEST_REQUIRE(positions.move(solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, m_x));
+    BOOST_TEST_REQUIRE(positions.move(
+      solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, m_x));
     FFM::Splitting_errors errors;
     for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e) {
       auto& element = m_elements[e];
       // The bound on |grad psi| is that at the present stretch.
       const double relative = m_domain.measures[e] * FFM::Proximal_map<Energy, D>::scale() / element.penalty;
-      element.inertia =
-        20 * relative * relative * (1 + FFM::Proximal_map<Energy, D>::squared_gradient(eigenvalues(element.stretch)));
+      element.inertia = 20 * relative * relative * (1 + FFM::Proximal_map<Energy, D>::squared_gradient(eigenvalues(element.stretch)));
       m_step.update(m_domain.jacobian(e, m_x), m_domain.measures[e], false, true, element, errors);
     }
   }

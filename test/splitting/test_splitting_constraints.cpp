@@ -28,8 +28,8 @@ using namespace test_support;
 namespace {
 
 template <typename Tag = CGAL::Sequential_tag>
-using Traits = FFM::Flip_free_map_traits<CGAL::Default, FFM::Symmetric_gradient, CGAL::Default, CGAL::Default, CGAL::Default,
-                                         CGAL::Default, CGAL::Default, Tag>;
+using Traits = FFM::Flip_free_map_traits<CGAL::Default, FFM::Symmetric_gradient, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default,
+                                         CGAL::Default, Tag>;
 
 // What the global step minimises.
 template <int D>

@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_CASE(same_energy_in_space)
 
   FFM::Positions<3> expected = example.x;
   const Traits<FFM::Symmetric_gradient> traits;
-  const FFM::Summary newton = FFM::Map_minimizer<3, Traits<FFM::Symmetric_gradient>>(example.domain, traits, constraints).minimize(expected);
+  const FFM::Summary newton =
+    FFM::Map_minimizer<3, Traits<FFM::Symmetric_gradient>>(example.domain, traits, constraints).minimize(expected);
   BOOST_TEST_REQUIRE(newton.converged());
   FFM::Positions<3> x = start;
   const FFM::Summary splitting =

@@ -181,8 +181,8 @@ void check_decrease()
     const Matrix<D> previous = element.rotation;
     double before = lagrangian(energy, measure, element);
     step.update_rotation(element);
-    double after = lagrangian(energy, measure, element) +
-                   0.5 * element.penalty * element.inertia * (element.rotation - previous).squaredNorm();
+    double after =
+      lagrangian(energy, measure, element) + 0.5 * element.penalty * element.inertia * (element.rotation - previous).squaredNorm();
     BOOST_TEST(after <= before + 1e-12 * std::abs(before));
 
     before = lagrangian(energy, measure, element);
@@ -291,8 +291,7 @@ BOOST_AUTO_TEST_CASE(least_penalty_at_the_identity)
   // b^2 = 5 there; symmetric gradient: x^2 + b x = 1, F = 1 + sqrt(2) / x^2.
   const double x = 0.5 * (3 - std::sqrt(5.)), F = 1 + std::sqrt(2.) / (x * x);
   const FFM::Admm_splitting_step<2, FFM::Symmetric_gradient> step;
-  BOOST_TEST(step.least_penalty(Vector<2>::Ones(), 0.1) == 0.025 * (std::sqrt(1 + 16 * F * F) - 1),
-             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(step.least_penalty(Vector<2>::Ones(), 0.1) == 0.025 * (std::sqrt(1 + 16 * F * F) - 1), boost::test_tools::tolerance(1e-12));
   // The bound on F^2 is eps^(-1/4).
   const double F_most = std::pow(std::numeric_limits<double>::epsilon(), -0.125);
   BOOST_TEST(step.least_penalty(Vector<2>(1, 1e-8), 0.1) == 0.025 * (std::sqrt(1 + 16 * F_most * F_most) - 1),

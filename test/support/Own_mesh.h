@@ -105,8 +105,9 @@ template <>
 struct boost::graph_traits<own::Mesh>
 {
   template <typename Descriptor>
-  struct Iterator : boost::iterator_adaptor<Iterator<Descriptor>, boost::counting_iterator<int>, Descriptor,
-                                            boost::random_access_traversal_tag, Descriptor>
+  struct Iterator
+    : boost::iterator_adaptor<Iterator<Descriptor>, boost::counting_iterator<int>, Descriptor, boost::random_access_traversal_tag,
+                              Descriptor>
   {
     Iterator() = default;
     explicit Iterator(int i) : Iterator::iterator_adaptor_(boost::counting_iterator<int>(i)) {}

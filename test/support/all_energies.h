@@ -41,11 +41,19 @@ inline std::vector<FFM::Any_energy> energies_with_barrier()
   rubber.mu = 0.1;
   Conformal_with_size sum;
   sum.second_weight = 0.2;
-  return {FFM::Any_energy(FFM::Symmetric_dirichlet()), FFM::Any_energy(FFM::Exponential_symmetric_dirichlet()),
-          FFM::Any_energy(steep), FFM::Any_energy(FFM::Symmetric_gradient()), FFM::Any_energy(FFM::Symmetric_arap()),
-          FFM::Any_energy(FFM::Hencky()), FFM::Any_energy(FFM::Conformal()), FFM::Any_energy(FFM::Amips()),
-          FFM::Any_energy(FFM::Exponential_amips()), FFM::Any_energy(FFM::Neo_hookean()), FFM::Any_energy(rubber),
-          FFM::Any_energy(FFM::Aigerman_isometric()), FFM::Any_energy(sum)};
+  return {FFM::Any_energy(FFM::Symmetric_dirichlet()),
+          FFM::Any_energy(FFM::Exponential_symmetric_dirichlet()),
+          FFM::Any_energy(steep),
+          FFM::Any_energy(FFM::Symmetric_gradient()),
+          FFM::Any_energy(FFM::Symmetric_arap()),
+          FFM::Any_energy(FFM::Hencky()),
+          FFM::Any_energy(FFM::Conformal()),
+          FFM::Any_energy(FFM::Amips()),
+          FFM::Any_energy(FFM::Exponential_amips()),
+          FFM::Any_energy(FFM::Neo_hookean()),
+          FFM::Any_energy(rubber),
+          FFM::Any_energy(FFM::Aigerman_isometric()),
+          FFM::Any_energy(sum)};
 }
 
 } // namespace test_support

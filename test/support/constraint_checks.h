@@ -28,7 +28,8 @@ namespace test_support {
 namespace FFM = CGAL::Flip_free_maps;
 
 typedef FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, FFM::Projected_newton, CGAL::Default, FFM::Eigen_simplicial_solver,
-                                  FFM::No_acceleration, FFM::Every_iteration> Constrained_traits;
+                                  FFM::No_acceleration, FFM::Every_iteration>
+  Constrained_traits;
 
 template <int D>
 using Constraints = FFM::Position_constraints<D>;
@@ -115,8 +116,8 @@ void check_optimum(const FFM::Simplicial_domain<D>& domain, const Constraints<D>
   BOOST_TEST(FFM::status_name(summary.status) == "success");
   BOOST_TEST(summary.flips == 0);
   const auto terms = [&](const FFM::Positions<D>& y) { return soft_energy<D>(constraints, y) + (term ? term->value(y) : 0); };
-  FFM::Positions<D> gradient = gradient_by_differences<D>(
-    [&](const FFM::Positions<D>& y) { return symmetric_dirichlet<D>(domain, y) + terms(y); }, x);
+  FFM::Positions<D> gradient =
+    gradient_by_differences<D>([&](const FFM::Positions<D>& y) { return symmetric_dirichlet<D>(domain, y) + terms(y); }, x);
   for(std::int32_t v : constraints.fixed_vertices) {
     BOOST_TEST((x.col(v).array() == start.col(v).array()).all());
     gradient.col(v).setZero();
@@ -163,7 +164,7 @@ void check_message(const Constraints<D>& constraints, const std::string& part)
   const FFM::Summary summary = minimized<D>(example.domain, constraints, x);
   BOOST_TEST(FFM::status_name(summary.status) == "invalid_option");
   BOOST_TEST_CONTEXT(summary.message)
-    BOOST_TEST(summary.message.find(part) != std::string::npos);
+  BOOST_TEST(summary.message.find(part) != std::string::npos);
   BOOST_TEST((x.array() == example.x.array()).all());
 }
 

@@ -97,8 +97,7 @@ Full_matrix<D> full_matrix(const Preconditioner& preconditioner, const Energy& e
 template <typename Matrix>
 double relative_smallest_eigenvalue(const Matrix& m)
 {
-  const auto values =
-    Eigen::SelfAdjointEigenSolver<Matrix>(m, Eigen::EigenvaluesOnly).eigenvalues().eval();
+  const auto values = Eigen::SelfAdjointEigenSolver<Matrix>(m, Eigen::EigenvaluesOnly).eigenvalues().eval();
   const double largest = values.cwiseAbs().maxCoeff();
   return largest > 0 ? values.minCoeff() / largest : 0;
 }
@@ -117,7 +116,9 @@ Eigen::MatrixXd hessian_by_differences(const Value& value, const Eigen::Matrix<d
   };
   for(int i = 0; i < D * D; ++i)
     for(int j = 0; j < D * D; ++j) {
-      const auto mixed = [&](double k) { return (moved(i, j, k, k) - moved(i, j, k, -k) - moved(i, j, -k, k) + moved(i, j, -k, -k)) / (4 * k * k); };
+      const auto mixed = [&](double k) {
+        return (moved(i, j, k, k) - moved(i, j, k, -k) - moved(i, j, -k, k) + moved(i, j, -k, -k)) / (4 * k * k);
+      };
       hessian(i, j) = (4 * mixed(1) - mixed(2)) / (3 * h * h);
     }
   return hessian;

@@ -39,10 +39,7 @@ class Random
 public:
   explicit Random(std::uint64_t seed) : m_generator(seed) {}
 
-  double operator()(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(m_generator() >> 11) / 9007199254740992.);
-  }
+  double operator()(double low, double high) { return low + (high - low) * (static_cast<double>(m_generator() >> 11) / 9007199254740992.); }
 
   template <int D>
   Eigen::Matrix<double, D, D> matrix(double low = -1, double high = 1)
@@ -138,7 +135,8 @@ inline Surface cone_patch(int columns, int rows)
 
 inline Surface bent_sheet(int columns, int rows)
 {
-  return grid(columns, rows, [](double u, double v) { return Eigen::Vector3d(2 * u, v, 0.4 * std::sin(5 * u)); }, true);
+  return grid(
+    columns, rows, [](double u, double v) { return Eigen::Vector3d(2 * u, v, 0.4 * std::sin(5 * u)); }, true);
 }
 
 // A tube of `rings` rings of unit edges, open at one end and closed by a fan at the other: a disk.

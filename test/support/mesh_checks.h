@@ -102,8 +102,8 @@ std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> add_soup(cons
     put(points, vertices.back(), Point(p[0], p[1], p[2]));
   }
   for(const auto& t : soup.triangles)
-    CGAL::Euler::add_face(std::array<typename boost::graph_traits<Mesh>::vertex_descriptor, 3>{
-                            {vertices[t[0]], vertices[t[1]], vertices[t[2]]}}, mesh);
+    CGAL::Euler::add_face(
+      std::array<typename boost::graph_traits<Mesh>::vertex_descriptor, 3>{{vertices[t[0]], vertices[t[1]], vertices[t[2]]}}, mesh);
   return vertices;
 }
 
@@ -161,7 +161,8 @@ template <typename Mesh, typename VertexUVMap, typename NamedParameters>
 void check_map(const Mesh& mesh, VertexUVMap uv, const CGAL::Flip_free_maps::Summary& summary, double energy, const NamedParameters& np)
 {
   namespace FFM = CGAL::Flip_free_maps;
-  BOOST_TEST_CONTEXT(summary.message) {
+  BOOST_TEST_CONTEXT(summary.message)
+  {
     BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(FFM::Status::success));
     BOOST_TEST(summary.flips == 0);
     BOOST_TEST(summary.elements == static_cast<std::int64_t>(faces(mesh).size()));

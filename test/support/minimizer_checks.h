@@ -26,7 +26,8 @@ namespace FFM = CGAL::Flip_free_maps;
 
 // A method of the papers: one factorization for each step.
 template <typename Preconditioner, typename Acceleration = FFM::No_acceleration, typename Rule = FFM::Every_iteration>
-using Method_traits = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, Preconditioner, CGAL::Default, CGAL::Default, Acceleration, Rule>;
+using Method_traits =
+  FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, Preconditioner, CGAL::Default, CGAL::Default, Acceleration, Rule>;
 
 struct Outcome
 {

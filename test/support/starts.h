@@ -23,13 +23,10 @@ namespace test_support {
 
 namespace FFM = CGAL::Flip_free_maps;
 
-typedef FFM::Tutte_initializer<CGAL::Exact_predicates_inexact_constructions_kernel, FFM::Eigen_simplicial_solver,
-                               CGAL::Sequential_tag> Tutte;
+typedef FFM::Tutte_initializer<CGAL::Exact_predicates_inexact_constructions_kernel, FFM::Eigen_simplicial_solver, CGAL::Sequential_tag>
+  Tutte;
 
-inline FFM::Eigen_simplicial_solver make_eigen_solver()
-{
-  return FFM::Eigen_simplicial_solver();
-}
+inline FFM::Eigen_simplicial_solver make_eigen_solver() { return FFM::Eigen_simplicial_solver(); }
 
 // The harmless start: a circle with uniform weights. Empty after a failure.
 inline FFM::Positions<2> tutte_start(const FFM::Simplicial_domain<2>& domain)

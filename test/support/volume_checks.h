@@ -60,14 +60,13 @@ struct Fingerprint
   Fingerprint() = default;
 
   template <typename Place>
-  Fingerprint(const FFM::Simplicial_domain<3>& domain, Place&& place)
-    : scale(domain.scale)
+  Fingerprint(const FFM::Simplicial_domain<3>& domain, Place&& place) : scale(domain.scale)
   {
     FFM::Positions<3> x(3, domain.number_of_vertices);
     for(std::int32_t v = 0; v < domain.number_of_vertices; ++v) {
       const Eigen::Vector3d p = place(domain.rest_points.col(v)) / 10;
-      x.col(v) = 10 / domain.scale *
-                 Eigen::Vector3d(1.2 * p[0] + 0.02 * p[1] * p[1], 0.9 * p[1] + 0.2 * p[0], 1.1 * p[2] - 0.03 * p[0] * p[2]);
+      x.col(v) =
+        10 / domain.scale * Eigen::Vector3d(1.2 * p[0] + 0.02 * p[1] * p[1], 0.9 * p[1] + 0.2 * p[0], 1.1 * p[2] - 0.03 * p[0] * p[2]);
     }
     for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
       const Eigen::Matrix3d J = domain.jacobian(e, x);
@@ -133,10 +132,7 @@ struct Directory
   std::filesystem::path path;
 };
 
-inline bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 } // namespace test_support
 

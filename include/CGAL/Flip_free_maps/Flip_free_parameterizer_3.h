@@ -90,7 +90,8 @@ private:
 };
 
 // Stands for the default solver argument.
-struct No_solver_traits {};
+struct No_solver_traits
+{};
 
 template <typename Traits>
 const Traits& with_solver(const Traits& traits, const No_solver_traits&)
@@ -166,9 +167,7 @@ public:
   explicit Flip_free_parameterizer_3(Summary* summary) : m_summary(summary) {}
 
   /// A method with its settings.
-  explicit Flip_free_parameterizer_3(const Map_traits& map_traits, Summary* summary = nullptr)
-    : m_traits(map_traits), m_summary(summary)
-  {}
+  explicit Flip_free_parameterizer_3(const Map_traits& map_traits, Summary* summary = nullptr) : m_traits(map_traits), m_summary(summary) {}
 
   /// Flattens the component of a border halfedge.
   ///
@@ -237,9 +236,8 @@ private:
     using Point_2 = typename CGAL::Surface_mesh_parameterization::internal::Kernel_traits<TriangleMesh>::Kernel::Point_2;
     std::unordered_map<vertex_descriptor, Point_2> uv;
     std::unordered_map<vertex_descriptor, bool> is_parameterized;
-    const Error_code code =
-      m_border_parameterizer.parameterize(mesh, border_halfedge, boost::make_assoc_property_map(uv), vertex_index_map,
-                                          boost::make_assoc_property_map(is_parameterized));
+    const Error_code code = m_border_parameterizer.parameterize(mesh, border_halfedge, boost::make_assoc_property_map(uv), vertex_index_map,
+                                                                boost::make_assoc_property_map(is_parameterized));
     if(code != CGAL::Surface_mesh_parameterization::OK)
       return false;
     positions.resize(2, domain.border.size());

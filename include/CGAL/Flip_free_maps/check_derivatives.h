@@ -58,8 +58,8 @@ Derivative_report check_derivatives(const Energy& energy, const Eigen::Matrix<do
   const auto quotient = [](double error, double scale) { return error == 0 ? 0 : error / scale; };
   const double hessian_norm = (std::max)(hessian.norm(), hessian_differences.norm());
   Derivative_report report;
-  report.gradient_error = quotient((gradient - differences).norm(), (std::max)(gradient.norm(), differences.norm()) +
-                                                                      step * s.maxCoeff() * hessian_norm);
+  report.gradient_error =
+    quotient((gradient - differences).norm(), (std::max)(gradient.norm(), differences.norm()) + step * s.maxCoeff() * hessian_norm);
   report.hessian_error = quotient((hessian - hessian_differences).norm(), hessian_norm);
   return report;
 }

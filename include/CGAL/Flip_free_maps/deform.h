@@ -59,8 +59,11 @@ public:
   /// The same with soft positions, whose targets are in the domain's units, beside the handles.
   Deformation(Simplicial_domain<D> domain, const Positions<D>& start, const Position_constraints<D>& constraints,
               const Traits& traits = Traits())
-    : m_domain(std::move(domain)), m_handles(constraints.fixed_vertices), m_repeated(internal::repeated_handles(m_handles)),
-      m_positions(start), m_minimizer(m_domain, traits, constraints)
+    : m_domain(std::move(domain)),
+      m_handles(constraints.fixed_vertices),
+      m_repeated(internal::repeated_handles(m_handles)),
+      m_positions(start),
+      m_minimizer(m_domain, traits, constraints)
   {
     m_minimizer.options().keep_factorization = true;
     m_x = (start.colwise() - m_domain.origin) / m_domain.scale;
@@ -121,8 +124,7 @@ public:
       result.col(m_handles[i]) = targets.col(i);
     internal::Element_coloring schedule;
     schedule.build(m_domain.elements, m_domain.number_of_vertices);
-    const std::int64_t flips =
-      internal::count_flips<typename Traits::Kernel, typename Traits::Concurrency_tag>(m_domain, schedule, result);
+    const std::int64_t flips = internal::count_flips<typename Traits::Kernel, typename Traits::Concurrency_tag>(m_domain, schedule, result);
     if(flips > summary.flips) {
       summary.flips = flips;
       summary.status = Status::result_not_representable;

@@ -70,7 +70,8 @@ bool is_bijective_on_corners(const TriangleMesh& mesh, Image&& image, std::strin
 template <typename TriangleMesh, typename VertexUVMap>
 bool is_bijective(const TriangleMesh& mesh, VertexUVMap uv_map, std::string* message = nullptr)
 {
-  return internal::is_bijective_on_corners(mesh, [&](auto h) { return get(uv_map, target(h, mesh)); }, message);
+  return internal::is_bijective_on_corners(
+    mesh, [&](auto h) { return get(uv_map, target(h, mesh)); }, message);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -82,7 +83,8 @@ bool is_bijective(const TriangleMesh& mesh, VertexUVMap uv_map, std::string* mes
 template <typename TriangleMesh, typename HalfedgeUVMap>
 bool is_atlas_bijective(const TriangleMesh& mesh, HalfedgeUVMap uv_map, std::string* message = nullptr)
 {
-  return internal::is_bijective_on_corners(mesh, [&](auto h) { return get(uv_map, h); }, message);
+  return internal::is_bijective_on_corners(
+    mesh, [&](auto h) { return get(uv_map, h); }, message);
 }
 
 /// \ingroup PkgFlipFreeMapsRef

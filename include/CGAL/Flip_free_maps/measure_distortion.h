@@ -72,8 +72,7 @@ Distortion_report measure_faces(const TriangleMesh& mesh, const VertexPointMap& 
 ///
 /// Complexity: linear.
 template <typename TriangleMesh, typename VertexUVMap, typename NamedParameters = parameters::Default_named_parameters>
-Distortion_report measure_distortion(const TriangleMesh& mesh, VertexUVMap uv_map,
-                                     const NamedParameters& np = parameters::default_values())
+Distortion_report measure_distortion(const TriangleMesh& mesh, VertexUVMap uv_map, const NamedParameters& np = parameters::default_values())
 {
   const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
                                                           get_const_property_map(CGAL::vertex_point, mesh));

@@ -21,17 +21,35 @@ namespace internal {
 // Whether a named parameter is given.
 template <typename NamedParameters, typename Tag>
 struct Has_parameter
-  : std::bool_constant<!std::is_same_v<
-      std::decay_t<decltype(CGAL::parameters::get_parameter(std::declval<const NamedParameters&>(), std::declval<Tag>()))>,
-      CGAL::internal_np::Param_not_found>>
+  : std::bool_constant<
+      !std::is_same_v<std::decay_t<decltype(CGAL::parameters::get_parameter(std::declval<const NamedParameters&>(), std::declval<Tag>()))>,
+                      CGAL::internal_np::Param_not_found>>
 {};
 
-enum Start_map_tag { start_map_tag };
-enum Face_weight_map_tag { face_weight_map_tag };
-enum Soft_positions_tag { soft_positions_tag };
-enum Border_is_fixed_tag { border_is_fixed_tag };
-enum Bijective_tag { bijective_tag };
-enum Edge_is_feature_map_tag { edge_is_feature_map_tag };
+enum Start_map_tag
+{
+  start_map_tag
+};
+enum Face_weight_map_tag
+{
+  face_weight_map_tag
+};
+enum Soft_positions_tag
+{
+  soft_positions_tag
+};
+enum Border_is_fixed_tag
+{
+  border_is_fixed_tag
+};
+enum Bijective_tag
+{
+  bijective_tag
+};
+enum Edge_is_feature_map_tag
+{
+  edge_is_feature_map_tag
+};
 
 } // namespace internal
 

@@ -96,7 +96,8 @@ namespace Flip_free_maps {
 ///
 /// Complexity: linear in the number of faces except for one sparse factorization per iteration; memory is that of the factor and
 /// some hundred bytes per face.
-template <typename TriangleMesh, typename VertexUVMap, typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+template <typename TriangleMesh, typename VertexUVMap, typename Traits,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
                      VertexUVMap uv_map, const Traits& traits, const NamedParameters& np)
 {
@@ -105,8 +106,8 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
   const auto vertex_points =
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
   Traits used = traits;
-  used.options.max_iterations = static_cast<int>(
-    choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), used.options.max_iterations));
+  used.options.max_iterations =
+    static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), used.options.max_iterations));
 
   const auto given = [&](auto v, auto& p) {
     if constexpr(internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value) {

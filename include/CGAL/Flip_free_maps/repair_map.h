@@ -45,7 +45,8 @@ struct Halfedge_of
 };
 
 template <int D>
-struct Halfedge_of<Simplicial_domain<D>> {};
+struct Halfedge_of<Simplicial_domain<D>>
+{};
 
 // The symmetric gradient energy with another method's kernel, linear solver and concurrency.
 template <typename Traits>
@@ -113,8 +114,8 @@ struct Repair_options
 /// Complexity: see `Splitting_minimizer` and `Map_minimizer`.
 template <int D, typename Traits = Flip_free_map_traits<>>
 Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
-                   const Position_constraints<D>& constraints = Position_constraints<D>(),
-                   const Repair_options& options = Repair_options(), const Traits& traits = Traits())
+                   const Position_constraints<D>& constraints = Position_constraints<D>(), const Repair_options& options = Repair_options(),
+                   const Traits& traits = Traits())
 {
   Summary summary;
   const auto run = [&] {
@@ -198,8 +199,8 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
 /// \param np optional named parameters, of which `vertex_point_map` is heeded
 template <typename TriangleMesh, typename VertexUVMap, typename Traits = Flip_free_map_traits<>,
           typename NamedParameters = parameters::Default_named_parameters>
-Summary repair_map(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge,
-                   VertexUVMap uv_map, const Repair_options& options = Repair_options(), const Traits& traits = Traits(),
+Summary repair_map(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
+                   const Repair_options& options = Repair_options(), const Traits& traits = Traits(),
                    const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;

@@ -88,8 +88,7 @@ inline void mesh_closed_surface(const Closed_surface& surface, const Tetrahedral
 {
   using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Closed_surface::Kernel, Closed_surface::Mesh>;
   using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
-  using Complex =
-    CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
+  using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
   using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
   Domain domain(surface.mesh());
@@ -98,8 +97,7 @@ inline void mesh_closed_surface(const Closed_surface& surface, const Tetrahedral
   const double size = options.cell_size * surface.diagonal(), distance = options.facet_distance * surface.diagonal();
   const Criteria criteria(CGAL::parameters::edge_size = size, CGAL::parameters::facet_angle = options.facet_angle,
                           CGAL::parameters::facet_size = size, CGAL::parameters::facet_distance = distance,
-                          CGAL::parameters::cell_radius_edge_ratio = options.cell_radius_edge_ratio,
-                          CGAL::parameters::cell_size = size);
+                          CGAL::parameters::cell_radius_edge_ratio = options.cell_radius_edge_ratio, CGAL::parameters::cell_size = size);
   copy_complex(CGAL::make_mesh_3<Complex>(domain, criteria), mesh);
 }
 
@@ -124,8 +122,8 @@ inline void mesh_closed_surface(const Closed_surface& surface, const Tetrahedral
 ///   `non_manifold` (not closed, several sheets at a vertex, or self-intersecting), `degenerate_rest_element`, `non_finite_input`
 ///   or `out_of_memory`
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
-Status tetrahedralize(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetrahedralization_options& options,
-                      std::string& message, const NamedParameters& np = parameters::default_values())
+Status tetrahedralize(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetrahedralization_options& options, std::string& message,
+                      const NamedParameters& np = parameters::default_values())
 {
   internal::Closed_surface closed;
   const Status status = internal::load_closed_surface(surface, options, np, closed, message);

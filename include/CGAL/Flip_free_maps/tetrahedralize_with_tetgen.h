@@ -59,10 +59,7 @@ struct Tetgen_options
 namespace internal {
 
 // A power of two, so that a division by it is exact, that brings the surface to size 1: TetGen's switches are decimal fractions.
-inline double tetgen_unit(const Closed_surface& surface)
-{
-  return std::exp2(std::ceil(std::log2(surface.diagonal())));
-}
+inline double tetgen_unit(const Closed_surface& surface) { return std::exp2(std::ceil(std::log2(surface.diagonal()))); }
 
 inline void fill_tetgenio(const Closed_surface& surface, tetgenio& input)
 {
@@ -163,10 +160,15 @@ inline bool unpack_tetgen(const Closed_surface& surface, const std::string& byte
 inline Status tetgen_failure(int code, std::string& message)
 {
   switch(code) {
-  case 1: message = "not enough memory for so many tetrahedra"; return Status::out_of_memory;
-  case 3: message = "TetGen found a self-intersection of the surface"; return Status::non_manifold;
-  default: message = "TetGen gave up: details of the surface are too small or too close to each other for it";
-           return Status::degenerate_rest_element;
+  case 1:
+    message = "not enough memory for so many tetrahedra";
+    return Status::out_of_memory;
+  case 3:
+    message = "TetGen found a self-intersection of the surface";
+    return Status::non_manifold;
+  default:
+    message = "TetGen gave up: details of the surface are too small or too close to each other for it";
+    return Status::degenerate_rest_element;
   }
 }
 
@@ -192,8 +194,8 @@ inline Status tetgen_failure(int code, std::string& message)
 ///   several sheets at a vertex, or self-intersecting), `degenerate_rest_element` (also for what is too small or too close for
 ///   TetGen), `non_finite_input` or `out_of_memory`
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
-Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetgen_options& options,
-                                  std::string& message, const NamedParameters& np = parameters::default_values())
+Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetgen_options& options, std::string& message,
+                                  const NamedParameters& np = parameters::default_values())
 {
   internal::Closed_surface closed;
   const Status status = internal::load_closed_surface(surface, options, np, closed, message);

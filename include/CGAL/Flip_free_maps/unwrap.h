@@ -36,8 +36,14 @@ namespace Flip_free_maps {
 
 namespace internal {
 
-enum Face_chart_map_tag { face_chart_map_tag };
-enum Edge_is_seam_map_tag { edge_is_seam_map_tag };
+enum Face_chart_map_tag
+{
+  face_chart_map_tag
+};
+enum Edge_is_seam_map_tag
+{
+  edge_is_seam_map_tag
+};
 
 } // namespace internal
 
@@ -238,8 +244,7 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
 /// \param uv_map its map
 /// \param np optional named parameters: `vertex_point_map`, as in `unwrap()`
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Textured_mesh textured_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv_map,
-                             const NamedParameters& np = CGAL::parameters::default_values())
+Textured_mesh textured_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;

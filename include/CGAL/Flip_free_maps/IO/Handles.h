@@ -57,8 +57,7 @@ template <int D>
 class Nearest_point
 {
 public:
-  explicit Nearest_point(const Positions<D>& points, const std::vector<bool>& may_be_handle = std::vector<bool>())
-    : m_points(points)
+  explicit Nearest_point(const Positions<D>& points, const std::vector<bool>& may_be_handle = std::vector<bool>()) : m_points(points)
   {
     for(std::int32_t v = 0; v < points.cols(); ++v)
       if(may_be_handle.empty() || may_be_handle[v])
@@ -70,8 +69,9 @@ public:
   std::int32_t operator()(const Vector<D>& place) const
   {
     const std::size_t size = m_order.size();
-    const std::size_t start = std::lower_bound(m_order.begin(), m_order.end(), place[0],
-                                [this](std::int32_t v, double x) { return m_points(0, v) < x; }) - m_order.begin();
+    const std::size_t start =
+      std::lower_bound(m_order.begin(), m_order.end(), place[0], [this](std::int32_t v, double x) { return m_points(0, v) < x; }) -
+      m_order.begin();
     const double magnitude = (std::max)(m_magnitude, place.cwiseAbs().maxCoeff());
     const double unit = magnitude > 0 ? std::ldexp(1., -(std::max)(-1000, (std::min)(1000, std::ilogb(magnitude)))) : 1.;
     double least = std::numeric_limits<double>::infinity();
@@ -113,16 +113,13 @@ public:
   std::string read(std::string_view text)
   {
     Word_reader reader(text);
-    while(!reader.at_end())
-    {
+    while(!reader.at_end()) {
       const long long line = reader.line();
       m_words.clear();
-      do
-      {
+      do {
         m_words.push_back(reader.word());
         reader.skip_word();
-      }
-      while(reader.is_line_continued());
+      } while(reader.is_line_continued());
       const std::string error = read_line(line);
       if(!error.empty())
         return "line " + std::to_string(line) + ": " + error;
@@ -136,7 +133,7 @@ public:
   {
     Handles<D> result;
     result.vertices = m_vertices;
-    result.targets = Eigen::Map<const Positions<D> >(m_targets.data(), D, m_vertices.size());
+    result.targets = Eigen::Map<const Positions<D>>(m_targets.data(), D, m_vertices.size());
     return result;
   }
 
@@ -147,17 +144,14 @@ private:
     Vector<D> target;
     std::int32_t vertex = -1;
     std::string error;
-    if(m_words.size() == 2 * D + 1 && m_words[D] == "->")
-    {
+    if(m_words.size() == 2 * D + 1 && m_words[D] == "->") {
       Vector<D> place;
       error = read_place(0, place);
       if(error.empty())
         error = read_place(D + 1, target);
       if(error.empty())
         vertex = m_nearest(place);
-    }
-    else if(m_words.size() == D + 1)
-    {
+    } else if(m_words.size() == D + 1) {
       long long index = -1;
       if(parse_number(m_words[0], index) != std::errc())
         return quoted_word(m_words[0]) + " is not the index of a vertex";
@@ -167,8 +161,7 @@ private:
         return "vertex " + std::to_string(index) + " is not a vertex of any element";
       vertex = static_cast<std::int32_t>(index);
       error = read_place(1, target);
-    }
-    else
+    } else
       return std::string("expected 'index ") + (D == 2 ? "x y' or 'x y -> x y'" : "x y z' or 'x y z -> x y z'") + ", found " +
              std::to_string(m_words.size()) + " words";
     if(!error.empty())
@@ -230,8 +223,7 @@ template <int D>
 bool read_handles(const std::string& path, const Positions<D>& points, Handles<D>& handles, std::string* message = nullptr,
                   const std::vector<bool>& may_be_handle = std::vector<bool>())
 {
-  if(points.cols() == 0 ||
-     (!may_be_handle.empty() && std::find(may_be_handle.begin(), may_be_handle.end(), true) == may_be_handle.end()))
+  if(points.cols() == 0 || (!may_be_handle.empty() && std::find(may_be_handle.begin(), may_be_handle.end(), true) == may_be_handle.end()))
     return internal::fail(message, "cannot read " + path + ": there are no vertices for handles");
   std::string text;
   if(!internal::read_whole_file(path, text, message))

@@ -71,8 +71,7 @@ inline std::string layout_picture_options_error(const Layout_picture_options& op
     return "the width of the picture must be from 320 to 16000";
   if(options.height != 0 && (options.height < 240 || options.height > 16000))
     return "the height of the picture must be 0 or from 240 to 16000";
-  if(options.distortion_upper_end != 0. &&
-     !(std::isfinite(options.distortion_upper_end) && options.distortion_upper_end >= 1.01))
+  if(options.distortion_upper_end != 0. && !(std::isfinite(options.distortion_upper_end) && options.distortion_upper_end >= 1.01))
     return "the upper end of the distortion must be 0, or finite and at least 1.01";
   return std::string();
 }
@@ -95,13 +94,9 @@ inline bool write_image_as_PNG(const std::string& path, cairo_surface_t* surface
   return write_picture(path, content, status, message);
 }
 
-inline bool write_layout(const std::string& path,
-                         const std::vector<std::array<double, 2> >& uv,
-                         const std::vector<std::array<int, 3> >& triangles,
-                         const std::vector<double>& distortion,
-                         const Layout_picture_options& options,
-                         bool is_SVG,
-                         std::string* message)
+inline bool write_layout(const std::string& path, const std::vector<std::array<double, 2>>& uv,
+                         const std::vector<std::array<int, 3>>& triangles, const std::vector<double>& distortion,
+                         const Layout_picture_options& options, bool is_SVG, std::string* message)
 {
   Layout_painter painter(uv, triangles, distortion);
   std::string error = layout_picture_options_error(options);
@@ -116,9 +111,8 @@ inline bool write_layout(const std::string& path,
 
   const std::size_t max_vector_triangles = 100000;
   std::string content;
-  Cairo_surface surface(is_SVG
-    ? cairo_svg_surface_create_for_stream(&append_to_string, &content, painter.width(), painter.height())
-    : cairo_image_surface_create(CAIRO_FORMAT_RGB24, painter.width(), painter.height()));
+  Cairo_surface surface(is_SVG ? cairo_svg_surface_create_for_stream(&append_to_string, &content, painter.width(), painter.height())
+                               : cairo_image_surface_create(CAIRO_FORMAT_RGB24, painter.width(), painter.height()));
   Cairo_context context(cairo_create(surface.get()));
   painter.draw(context.get(), !is_SVG || triangles.size() > max_vector_triangles, options.max_triangles_with_lines);
   if(!is_SVG)
@@ -139,13 +133,8 @@ inline bool fail_without_cairo(const std::string& path, std::string* message)
   return fail(message, "cannot draw " + path + ": built without Cairo");
 }
 
-inline bool write_layout(const std::string& path,
-                         const std::vector<std::array<double, 2> >&,
-                         const std::vector<std::array<int, 3> >&,
-                         const std::vector<double>&,
-                         const Layout_picture_options&,
-                         bool,
-                         std::string* message)
+inline bool write_layout(const std::string& path, const std::vector<std::array<double, 2>>&, const std::vector<std::array<int, 3>>&,
+                         const std::vector<double>&, const Layout_picture_options&, bool, std::string* message)
 {
   return fail_without_cairo(path, message);
 }
@@ -179,12 +168,9 @@ inline bool write_layout(const std::string& path,
            that is not finite), if the file cannot be written, or always, with the message "built without Cairo", unless the
            macro `CGAL_FLIP_FREE_MAPS_USE_CAIRO` is defined. The cost is \f$ O(n \log n) \f$ for \f$ n \f$ triangles.
 */
-inline bool write_layout_SVG(const std::string& path,
-                             const std::vector<std::array<double, 2> >& uv,
-                             const std::vector<std::array<int, 3> >& triangles,
-                             const std::vector<double>& distortion,
-                             const Layout_picture_options& options = Layout_picture_options(),
-                             std::string* message = nullptr)
+inline bool write_layout_SVG(const std::string& path, const std::vector<std::array<double, 2>>& uv,
+                             const std::vector<std::array<int, 3>>& triangles, const std::vector<double>& distortion,
+                             const Layout_picture_options& options = Layout_picture_options(), std::string* message = nullptr)
 {
   return internal::write_layout(path, uv, triangles, distortion, options, true, message);
 }
@@ -195,12 +181,9 @@ inline bool write_layout_SVG(const std::string& path,
   writes a picture of a planar layout, colored by distortion, as a PNG image; content and parameters are those of
   `write_layout_SVG()`.
 */
-inline bool write_layout_PNG(const std::string& path,
-                             const std::vector<std::array<double, 2> >& uv,
-                             const std::vector<std::array<int, 3> >& triangles,
-                             const std::vector<double>& distortion,
-                             const Layout_picture_options& options = Layout_picture_options(),
-                             std::string* message = nullptr)
+inline bool write_layout_PNG(const std::string& path, const std::vector<std::array<double, 2>>& uv,
+                             const std::vector<std::array<int, 3>>& triangles, const std::vector<double>& distortion,
+                             const Layout_picture_options& options = Layout_picture_options(), std::string* message = nullptr)
 {
   return internal::write_layout(path, uv, triangles, distortion, options, false, message);
 }
@@ -231,8 +214,7 @@ inline bool write_checkerboard_PNG(const std::string& path, int size, int square
   cairo_set_source_rgb(context.get(), 0.22, 0.42, 0.62);
   cairo_set_antialias(context.get(), CAIRO_ANTIALIAS_NONE);
   const auto square_begin = [=](int i) { return static_cast<int>(static_cast<long long>(size) * i / squares); };
-  for(int j = 0; j < squares; ++j)
-  {
+  for(int j = 0; j < squares; ++j) {
     for(int i = j % 2; i < squares; i += 2)
       cairo_rectangle(context.get(), square_begin(i), square_begin(j), square_begin(i + 1) - square_begin(i),
                       square_begin(j + 1) - square_begin(j));

@@ -56,8 +56,7 @@ private:
   {
     const std::string_view keyword = reader.word();
     const long long line = reader.line();
-    if(keyword == "Dimension")
-    {
+    if(keyword == "Dimension") {
       m_is_skipping = false;
       reader.skip_word();
       long long dimension = 0;
@@ -65,8 +64,7 @@ private:
         return false;
       return dimension == 3 || reader.fail_at(line, "the dimension is " + std::to_string(dimension) + ", not 3");
     }
-    if(keyword == "Vertices")
-    {
+    if(keyword == "Vertices") {
       if(m_has_points)
         return reader.fail_at(line, "a second section 'Vertices'");
       m_has_points = true;
@@ -74,8 +72,7 @@ private:
       reader.skip_word();
       return read_points(reader);
     }
-    if(keyword == "Tetrahedra" || keyword == "Triangles")
-    {
+    if(keyword == "Tetrahedra" || keyword == "Triangles") {
       m_is_skipping = false;
       reader.skip_word();
       return keyword == "Tetrahedra" ? read_elements(reader, m_mesh.tetrahedra) : read_elements(reader, m_mesh.triangles);
@@ -95,8 +92,7 @@ private:
     if(!reader.read_count(count))
       return false;
     m_mesh.points.reserve((std::min)(count, reader.possible_items(3)));
-    for(std::size_t i = 0; i < count; ++i)
-    {
+    for(std::size_t i = 0; i < count; ++i) {
       std::array<double, 3> point;
       for(double& coordinate : point)
         if(!reader.read_finite(coordinate))
@@ -109,17 +105,15 @@ private:
   }
 
   template <std::size_t N>
-  bool read_elements(Word_reader& reader, std::vector<std::array<int, N> >& elements)
+  bool read_elements(Word_reader& reader, std::vector<std::array<int, N>>& elements)
   {
     std::size_t count = 0;
     if(!reader.read_count(count))
       return false;
     elements.reserve(elements.size() + (std::min)(count, reader.possible_items(N)));
-    for(std::size_t i = 0; i < count; ++i)
-    {
+    for(std::size_t i = 0; i < count; ++i) {
       std::array<int, N> element;
-      for(int& index : element)
-      {
+      for(int& index : element) {
         long long value = 0;
         const long long line = reader.line();
         if(!reader.read_integer(value))
@@ -190,18 +184,15 @@ inline bool write_Medit(const std::string& path, const Tetrahedral_mesh& mesh, s
     return internal::fail(message, "cannot write " + path + ": " + error);
 
   std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n" + std::to_string(mesh.points.size()) + '\n';
-  for(const std::array<double, 3>& point : mesh.points)
-  {
+  for(const std::array<double, 3>& point : mesh.points) {
     internal::append_coordinates(text, point);
     text += " 0\n";
   }
-  const auto append_section = [&text](const char* keyword, const auto& elements)
-  {
+  const auto append_section = [&text](const char* keyword, const auto& elements) {
     if(elements.empty())
       return;
     text += std::string(keyword) + '\n' + std::to_string(elements.size()) + '\n';
-    for(const auto& element : elements)
-    {
+    for(const auto& element : elements) {
       internal::append_numbers(text, element, 1);
       text += " 1\n";
     }

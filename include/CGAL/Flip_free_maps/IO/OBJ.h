@@ -36,8 +36,7 @@ namespace internal {
 class OBJ_tokenizer
 {
 public:
-  explicit OBJ_tokenizer(std::string_view text)
-    : m_text(text)
+  explicit OBJ_tokenizer(std::string_view text) : m_text(text)
   {
     const std::string_view byte_order_mark("\xEF\xBB\xBF");
     if(m_text.substr(0, byte_order_mark.size()) == byte_order_mark)
@@ -51,8 +50,7 @@ public:
       return false;
 
     m_line = m_next_line;
-    while(m_position < m_text.size())
-    {
+    while(m_position < m_text.size()) {
       const char c = m_text[m_position];
       if(skip_line_end(m_position))
         return true;
@@ -61,13 +59,10 @@ public:
       else if(c == '#')
         while(m_position < m_text.size() && m_text[m_position] != '\n' && m_text[m_position] != '\r')
           ++m_position;
-      else if(is_continuation(m_position))
-      {
+      else if(is_continuation(m_position)) {
         ++m_position;
         skip_line_end(m_position);
-      }
-      else
-      {
+      } else {
         const std::size_t begin = m_position;
         while(m_position < m_text.size() && !is_space(m_text[m_position]) && !is_continuation(m_position))
           ++m_position;
@@ -81,10 +76,7 @@ public:
   long long line() const { return m_line; }
 
 private:
-  static bool is_space(char c)
-  {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\n' || c == '\r';
-  }
+  static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\n' || c == '\r'; }
 
   bool is_continuation(std::size_t i) const
   {
@@ -134,8 +126,7 @@ public:
   {
     OBJ_tokenizer tokenizer(text);
     std::vector<std::string_view> words;
-    while(tokenizer.next_line(words))
-    {
+    while(tokenizer.next_line(words)) {
       if(words.empty())
         continue;
       std::string error;
@@ -143,8 +134,7 @@ public:
         error = read_coordinates(words, m_mesh.points);
       else if(words[0] == "vt")
         error = read_coordinates(words, m_mesh.texture);
-      else if(words[0] == "f")
-      {
+      else if(words[0] == "f") {
         error = read_triangle(words);
         m_lines.push_back(tokenizer.line());
       }
@@ -153,10 +143,8 @@ public:
     }
 
     // A face may precede the points that it uses, hence the upper bound is tested at the end.
-    for(std::size_t i = 0; i < m_mesh.triangles.size(); ++i)
-    {
-      for(int k = 0; k < 3; ++k)
-      {
+    for(std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
+      for(int k = 0; k < 3; ++k) {
         if(std::size_t(m_mesh.triangles[i][k]) >= m_mesh.points.size())
           return at_line(m_lines[i], too_large("v", m_mesh.triangles[i][k], m_mesh.points.size()));
         if(std::size_t(m_mesh.texture_triangles[i][k]) >= m_mesh.texture.size())
@@ -169,19 +157,16 @@ public:
   Textured_mesh& mesh() { return m_mesh; }
 
 private:
-  static std::string at_line(long long line, const std::string& error)
-  {
-    return "line " + std::to_string(line) + ": " + error;
-  }
+  static std::string at_line(long long line, const std::string& error) { return "line " + std::to_string(line) + ": " + error; }
 
   static std::string too_large(const char* kind, int index, std::size_t size)
   {
-    return std::string(kind) + " index " + std::to_string(index + 1LL) + " is out of range, the file has " +
-           std::to_string(size) + " '" + kind + "' lines";
+    return std::string(kind) + " index " + std::to_string(index + 1LL) + " is out of range, the file has " + std::to_string(size) + " '" +
+           kind + "' lines";
   }
 
   template <std::size_t N>
-  static std::string read_coordinates(const std::vector<std::string_view>& words, std::vector<std::array<double, N> >& list)
+  static std::string read_coordinates(const std::vector<std::string_view>& words, std::vector<std::array<double, N>>& list)
   {
     if(words.size() < N + 1)
       return quoted_word(words[0]) + " needs " + std::to_string(N) + " numbers, found " + std::to_string(words.size() - 1);
@@ -189,8 +174,7 @@ private:
       return "too many " + quoted_word(words[0]) + " lines";
 
     std::array<double, N> coordinates;
-    for(std::size_t k = 0; k < N; ++k)
-    {
+    for(std::size_t k = 0; k < N; ++k) {
       const std::errc status = parse_number(words[k + 1], coordinates[k]);
       if(status == std::errc::result_out_of_range)
         return quoted_word(words[k + 1]) + " is not in the range of double precision numbers";
@@ -210,8 +194,7 @@ private:
 
     std::array<int, 3> triangle;
     std::array<int, 3> texture_triangle;
-    for(int k = 0; k < 3; ++k)
-    {
+    for(int k = 0; k < 3; ++k) {
       const std::string_view corner = words[k + 1];
       const std::size_t first = corner.find('/');
       const std::size_t second = first == std::string_view::npos ? first : corner.find('/', first + 1);
@@ -223,8 +206,7 @@ private:
       std::string error = read_index("v", point_word, corner, m_mesh.points.size(), triangle[k]);
       if(!error.empty())
         return error;
-      if(second != std::string_view::npos)
-      {
+      if(second != std::string_view::npos) {
         long long normal = 0;
         if(parse_number(corner.substr(second + 1), normal) != std::errc() || normal == 0)
           return "corner " + quoted_word(corner) + " has no valid vn index";
@@ -278,8 +260,8 @@ inline std::string textured_mesh_error(const Textured_mesh& mesh, double texture
         return "texture coordinate " + std::to_string(i) + " is not finite";
   for(std::size_t i = 0; i < mesh.triangles.size(); ++i)
     for(int k = 0; k < 3; ++k)
-      if(mesh.triangles[i][k] < 0 || std::size_t(mesh.triangles[i][k]) >= mesh.points.size() ||
-         mesh.texture_triangles[i][k] < 0 || std::size_t(mesh.texture_triangles[i][k]) >= mesh.texture.size())
+      if(mesh.triangles[i][k] < 0 || std::size_t(mesh.triangles[i][k]) >= mesh.points.size() || mesh.texture_triangles[i][k] < 0 ||
+         std::size_t(mesh.texture_triangles[i][k]) >= mesh.texture.size())
         return "triangle " + std::to_string(i) + " has an index out of range";
   return std::string();
 }
@@ -291,12 +273,9 @@ inline double texture_extent(const Textured_mesh& mesh)
   double upper[2];
   std::fill_n(lower, 2, (std::numeric_limits<double>::max)());
   std::fill_n(upper, 2, std::numeric_limits<double>::lowest());
-  for(const std::array<int, 3>& triangle : mesh.texture_triangles)
-  {
-    for(const int index : triangle)
-    {
-      for(int c = 0; c < 2; ++c)
-      {
+  for(const std::array<int, 3>& triangle : mesh.texture_triangles) {
+    for(const int index : triangle) {
+      for(int c = 0; c < 2; ++c) {
         lower[c] = (std::min)(lower[c], mesh.texture[index][c]);
         upper[c] = (std::max)(upper[c], mesh.texture[index][c]);
       }
@@ -308,8 +287,8 @@ inline double texture_extent(const Textured_mesh& mesh)
 // Checkerboard that shows about 40 squares across the layout.
 struct Checkerboard_choice
 {
-  int squares = 8;             // per side of the image, that is per unit of vt; even, so that the image tiles seamlessly
-  double pattern_scale = 1.;   // additional factor on vt, for layouts that no reasonable number of squares can serve
+  int squares = 8;           // per side of the image, that is per unit of vt; even, so that the image tiles seamlessly
+  double pattern_scale = 1.; // additional factor on vt, for layouts that no reasonable number of squares can serve
 };
 
 inline Checkerboard_choice choose_checkerboard(double layout_extent)
@@ -322,8 +301,7 @@ inline Checkerboard_choice choose_checkerboard(double layout_extent)
     return choice;
   if(wanted >= 2. && wanted <= max_squares)
     choice.squares = 2 * static_cast<int>(std::lround(wanted / 2.));
-  else
-  {
+  else {
     choice.squares = wanted < 2. ? 2 : max_squares;
     choice.pattern_scale = wanted / choice.squares;
   }
@@ -357,9 +335,7 @@ inline Checkerboard_choice choose_checkerboard(double layout_extent)
   \returns `true` if all files were written. An invalid mesh is refused before any file is touched. Without the macro
            `CGAL_FLIP_FREE_MAPS_USE_CAIRO` the texture image and its mention in the material are left out; this is not a failure.
 */
-inline bool write_textured_OBJ(const std::string& path,
-                               const Textured_mesh& mesh,
-                               std::string* message = nullptr,
+inline bool write_textured_OBJ(const std::string& path, const Textured_mesh& mesh, std::string* message = nullptr,
                                double texture_scale = 1.)
 {
   const std::string error = internal::textured_mesh_error(mesh, texture_scale);
@@ -378,32 +354,26 @@ inline bool write_textured_OBJ(const std::string& path,
   std::string text;
   text.reserve(mesh.points.size() * 62 + mesh.texture.size() * 42 + mesh.triangles.size() * 48 + 1024);
   text += "mtllib " + material_name + '\n';
-  for(const std::array<double, 3>& point : mesh.points)
-  {
+  for(const std::array<double, 3>& point : mesh.points) {
     text += 'v';
-    for(const double coordinate : point)
-    {
+    for(const double coordinate : point) {
       text += ' ';
       internal::append_number(text, coordinate);
     }
     text += '\n';
   }
-  for(const std::array<double, 2>& coordinates : mesh.texture)
-  {
+  for(const std::array<double, 2>& coordinates : mesh.texture) {
     text += "vt";
-    for(const double coordinate : coordinates)
-    {
+    for(const double coordinate : coordinates) {
       text += ' ';
       internal::append_number(text, coordinate * texture_scale);
     }
     text += '\n';
   }
   text += "usemtl checkerboard\n";
-  for(std::size_t i = 0; i < mesh.triangles.size(); ++i)
-  {
+  for(std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     text += 'f';
-    for(int k = 0; k < 3; ++k)
-    {
+    for(int k = 0; k < 3; ++k) {
       text += ' ';
       internal::append_number(text, mesh.triangles[i][k] + 1LL);
       text += '/';
@@ -417,15 +387,12 @@ inline bool write_textured_OBJ(const std::string& path,
   std::string material = "newmtl checkerboard\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\n";
   std::string note;
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
-  const internal::Checkerboard_choice choice =
-    internal::choose_checkerboard(internal::texture_extent(mesh) * texture_scale);
+  const internal::Checkerboard_choice choice = internal::choose_checkerboard(internal::texture_extent(mesh) * texture_scale);
   const int pixels_per_square = (std::max)(1, 1024 / choice.squares);
-  if(!write_checkerboard_PNG((obj_path.parent_path() / image_name).string(), choice.squares * pixels_per_square,
-                             choice.squares, message))
+  if(!write_checkerboard_PNG((obj_path.parent_path() / image_name).string(), choice.squares * pixels_per_square, choice.squares, message))
     return false;
   material += "map_Kd ";
-  if(choice.pattern_scale != 1.)
-  {
+  if(choice.pattern_scale != 1.) {
     std::string scale;
     internal::append_number(scale, choice.pattern_scale, 6);
     material += "-s " + scale + ' ' + scale + " 1 ";

@@ -41,10 +41,10 @@ namespace Flip_free_maps {
 struct Surface_view
 {
   /// Positions in space; those that no triangle uses may have any value.
-  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<double, 3>> points;
 
   /// Corners of the triangles, as indices into `points`.
-  std::vector<std::array<int, 3> > triangles;
+  std::vector<std::array<int, 3>> triangles;
 
   /// One value per triangle, not less than 1 (smaller values are drawn as 1); empty for a surface of one color.
   std::vector<double> values;
@@ -89,9 +89,7 @@ namespace internal {
 class Surface_picture
 {
 public:
-  Surface_picture(const std::vector<Surface_view>& views, const Surface_picture_options& options)
-    : m_views(views), m_options(options)
-  {}
+  Surface_picture(const std::vector<Surface_view>& views, const Surface_picture_options& options) : m_views(views), m_options(options) {}
 
   // Returns the empty string, or what is wrong with the views or the options.
   std::string analyze()
@@ -105,8 +103,7 @@ public:
       return "the directions of the view must be finite, and that of up not zero";
     if(m_views.empty())
       return "there is no view";
-    for(const Surface_view& view : m_views)
-    {
+    for(const Surface_view& view : m_views) {
       const std::string error = view_error(view);
       if(!error.empty())
         return error;
@@ -127,8 +124,7 @@ public:
 
     double scale = std::numeric_limits<double>::infinity();
     std::vector<Eigen::Vector3d> centers;
-    for(const Surface_view& view : m_views)
-    {
+    for(const Surface_view& view : m_views) {
       Eigen::Vector3d low, high;
       box(view, low, high);
       const Eigen::Vector3d size = high - low;
@@ -138,8 +134,7 @@ public:
       if(size[1] > 0)
         scale = (std::min)(scale, 0.98 * plot_height / size[1]);
     }
-    for(std::size_t i = 0; i < m_views.size(); ++i)
-    {
+    for(std::size_t i = 0; i < m_views.size(); ++i) {
       const double left = std::floor(margin + i * cell_width), top = std::floor(plot_top);
       draw_view(context, m_views[i], centers[i], std::isfinite(scale) ? scale : 0., left, top, static_cast<int>(cell_width),
                 static_cast<int>(plot_height), font_size);
@@ -159,10 +154,8 @@ private:
       return "a view has no triangle";
     if(!view.values.empty() && view.values.size() != view.triangles.size())
       return "the number of values is not the number of triangles";
-    for(std::size_t i = 0; i < view.triangles.size(); ++i)
-    {
-      for(const int index : view.triangles[i])
-      {
+    for(std::size_t i = 0; i < view.triangles.size(); ++i) {
+      for(const int index : view.triangles[i]) {
         if(index < 0 || std::size_t(index) >= view.points.size())
           return "triangle " + std::to_string(i) + " has an index out of range";
         for(const double coordinate : view.points[index])
@@ -176,19 +169,16 @@ private:
   void choose_upper_end()
   {
     std::vector<double> finite;
-    for(const Surface_view& view : m_views)
-    {
+    for(const Surface_view& view : m_views) {
       m_has_values = m_has_values || !view.values.empty();
       for(const double value : view.values)
         if(std::isfinite(value))
           finite.push_back(value);
     }
     m_upper = m_options.upper_end;
-    if(m_upper == 0.)
-    {
+    if(m_upper == 0.) {
       m_upper = 1.05;
-      if(!finite.empty())
-      {
+      if(!finite.empty()) {
         const std::size_t rank = (finite.size() - 1) * 98 / 100;
         std::nth_element(finite.begin(), finite.begin() + rank, finite.end());
         m_upper = (std::max)(m_upper, finite[rank]);
@@ -209,15 +199,13 @@ private:
     const Eigen::Vector3d z = x.cross(up);
     Eigen::Vector3d best = z;
     double most = -1;
-    for(const double degrees : {30., 60., 120., 150.})
-    {
+    for(const double degrees : {30., 60., 120., 150.}) {
       const double angle = degrees * 3.14159265358979323846 / 180;
       const Eigen::Vector3d direction = std::cos(angle) * x + std::sin(angle) * z + 0.3 * up;
       double shown = 0;
       for(const std::array<int, 3>& t : m_views[0].triangles)
         shown += std::abs(area_vector(m_views[0], t).dot(direction));
-      if(shown > most * (1 + 1e-9))
-      {
+      if(shown > most * (1 + 1e-9)) {
         most = shown;
         best = direction;
       }
@@ -229,10 +217,8 @@ private:
   {
     low.setConstant(std::numeric_limits<double>::infinity());
     high = -low;
-    for(const std::array<int, 3>& t : view.triangles)
-    {
-      for(const int index : t)
-      {
+    for(const std::array<int, 3>& t : view.triangles) {
+      for(const int index : t) {
         const Eigen::Vector3d p = m_axes * vector(view.points[index]);
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
@@ -254,11 +240,9 @@ private:
     const int factor = 2;
     Surface_raster raster(factor * width, factor * height);
     const Eigen::Vector3d middle(factor * width / 2., factor * height / 2., 0);
-    const auto corners = [&](const std::array<int, 3>& t)
-    {
+    const auto corners = [&](const std::array<int, 3>& t) {
       Eigen::Matrix3d result;
-      for(int k = 0; k < 3; ++k)
-      {
+      for(int k = 0; k < 3; ++k) {
         const Eigen::Vector3d p = factor * scale * (m_axes * vector(view.points[t[k]]) - center);
         result.col(k) = middle + Eigen::Vector3d(p[0], -p[1], p[2]);
       }
@@ -268,16 +252,14 @@ private:
     // Lines are left out when they would cover so much of the surface that the colors are falsified.
     const double line_width = factor * 0.06 * font_size;
     double area = 0, length = 0;
-    for(const std::array<int, 3>& t : view.triangles)
-    {
+    for(const std::array<int, 3>& t : view.triangles) {
       const Eigen::Matrix3d c = corners(t);
       area += (c.col(1) - c.col(0)).cross(c.col(2) - c.col(0)).norm() / 2;
       length += ((c.col(1) - c.col(0)).norm() + (c.col(2) - c.col(1)).norm() + (c.col(0) - c.col(2)).norm()) / 2;
     }
     const bool has_lines = length * line_width < 0.3 * area;
     const Eigen::Vector3d light = Eigen::Vector3d(-0.35, 0.5, 0.8).normalized();
-    for(std::size_t i = 0; i < view.triangles.size(); ++i)
-    {
+    for(std::size_t i = 0; i < view.triangles.size(); ++i) {
       // Both sides are lit alike: the orientation of the triangles is the user's choice.
       Eigen::Vector3d normal = m_axes * area_vector(view, view.triangles[i]).normalized();
       if(normal[2] < 0)
@@ -309,8 +291,7 @@ private:
     const double bar_top = top + 2.2 * f, bar_bottom = top + (std::min)(height - 0.5 * f, 26 * f), bar_width = 1.5 * f;
     Cairo_pattern gradient(cairo_pattern_create_linear(0, bar_bottom, 0, bar_top));
     const int stops = 32;
-    for(int i = 0; i <= stops; ++i)
-    {
+    for(int i = 0; i <= stops; ++i) {
       const Rgb c = distortion_color(i / double(stops));
       cairo_pattern_add_color_stop_rgb(gradient.get(), i / double(stops), c[0], c[1], c[2]);
     }
@@ -322,8 +303,7 @@ private:
     ticks.push_back(m_upper);
     std::reverse(ticks.begin(), ticks.end());
     double previous = -std::numeric_limits<double>::infinity();
-    for(const double value : ticks)
-    {
+    for(const double value : ticks) {
       const double y = bar_bottom - (bar_bottom - bar_top) * std::log(value) / std::log(m_upper);
       if(y < previous + 1.5 * f)
         continue;
@@ -361,10 +341,8 @@ private:
            unless the macro `CGAL_FLIP_FREE_MAPS_USE_CAIRO` is defined.
            The cost is linear in the number of triangles and of pixels that they cover.
 */
-inline bool write_surface_PNG(const std::string& path,
-                              const std::vector<Surface_view>& views,
-                              const Surface_picture_options& options = Surface_picture_options(),
-                              std::string* message = nullptr)
+inline bool write_surface_PNG(const std::string& path, const std::vector<Surface_view>& views,
+                              const Surface_picture_options& options = Surface_picture_options(), std::string* message = nullptr)
 {
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
   internal::Surface_picture picture(views, options);

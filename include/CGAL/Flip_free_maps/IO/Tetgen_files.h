@@ -28,7 +28,7 @@ namespace Flip_free_maps {
 namespace internal {
 
 // Lines "number x y z ...", numbered consecutively from 0 or 1, which `first` receives.
-inline bool read_tetgen_points(Word_reader& reader, std::vector<std::array<double, 3> >& points, long long& first)
+inline bool read_tetgen_points(Word_reader& reader, std::vector<std::array<double, 3>>& points, long long& first)
 {
   std::size_t count = 0;
   long long dimension = 0;
@@ -39,8 +39,7 @@ inline bool read_tetgen_points(Word_reader& reader, std::vector<std::array<doubl
     return reader.fail_at(header, "the dimension is " + std::to_string(dimension) + ", not 3");
   reader.skip_line();
   points.reserve((std::min)(count, reader.possible_items(4)));
-  for(std::size_t i = 0; i < count; ++i)
-  {
+  for(std::size_t i = 0; i < count; ++i) {
     long long number = 0;
     const long long line = reader.line();
     if(!reader.read_integer(number))
@@ -61,7 +60,7 @@ inline bool read_tetgen_points(Word_reader& reader, std::vector<std::array<doubl
 
 // Lines "number a b c d ..."; elements of second order have more nodes, which follow the corners.
 inline bool read_tetgen_elements(Word_reader& reader, std::size_t number_of_points, long long first,
-                                 std::vector<std::array<int, 4> >& tetrahedra)
+                                 std::vector<std::array<int, 4>>& tetrahedra)
 {
   std::size_t count = 0;
   long long nodes = 0;
@@ -72,14 +71,12 @@ inline bool read_tetgen_elements(Word_reader& reader, std::size_t number_of_poin
     return reader.fail_at(header, "tetrahedra of " + std::to_string(nodes) + " nodes, not 4 or 10");
   reader.skip_line();
   tetrahedra.reserve((std::min)(count, reader.possible_items(5)));
-  for(std::size_t i = 0; i < count; ++i)
-  {
+  for(std::size_t i = 0; i < count; ++i) {
     long long number = 0;
     if(!reader.read_integer(number))
       return false;
     std::array<int, 4> tetrahedron;
-    for(int& index : tetrahedron)
-    {
+    for(int& index : tetrahedron) {
       long long value = 0;
       const long long line = reader.line();
       if(!reader.read_integer(value))
@@ -158,16 +155,14 @@ inline bool write_Tetgen_files(const std::string& path, const Tetrahedral_mesh& 
     return internal::fail(message, "cannot write " + path + ": " + error);
 
   std::string nodes = std::to_string(mesh.points.size()) + " 3 0 0\n";
-  for(std::size_t i = 0; i < mesh.points.size(); ++i)
-  {
+  for(std::size_t i = 0; i < mesh.points.size(); ++i) {
     internal::append_number(nodes, static_cast<long long>(i));
     nodes += ' ';
     internal::append_coordinates(nodes, mesh.points[i]);
     nodes += '\n';
   }
   std::string elements = std::to_string(mesh.tetrahedra.size()) + " 4 0\n";
-  for(std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
-  {
+  for(std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
     internal::append_number(elements, static_cast<long long>(i));
     elements += ' ';
     internal::append_numbers(elements, mesh.tetrahedra[i]);

@@ -26,13 +26,13 @@ namespace Flip_free_maps {
 struct Tetrahedral_mesh
 {
   /// Positions in space.
-  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<double, 3>> points;
 
   /// Corners of the tetrahedra, as indices into `points`.
-  std::vector<std::array<int, 4> > tetrahedra;
+  std::vector<std::array<int, 4>> tetrahedra;
 
   /// Triangles that the file or the generator names, in general the boundary; may be empty.
-  std::vector<std::array<int, 3> > triangles;
+  std::vector<std::array<int, 3>> triangles;
 };
 
 /*!
@@ -44,7 +44,7 @@ struct Tetrahedral_mesh
   \param mesh a tetrahedral mesh with valid indices
   \param owners if not null, receives for each triangle the index of its tetrahedron
 */
-inline std::vector<std::array<int, 3> > boundary_triangles(const Tetrahedral_mesh& mesh, std::vector<std::size_t>* owners = nullptr)
+inline std::vector<std::array<int, 3>> boundary_triangles(const Tetrahedral_mesh& mesh, std::vector<std::size_t>* owners = nullptr)
 {
   struct Facet
   {
@@ -57,10 +57,8 @@ inline std::vector<std::array<int, 3> > boundary_triangles(const Tetrahedral_mes
 
   std::vector<Facet> facets;
   facets.reserve(4 * mesh.tetrahedra.size());
-  for(const std::array<int, 4>& tetrahedron : mesh.tetrahedra)
-  {
-    for(const auto& corner : corners)
-    {
+  for(const std::array<int, 4>& tetrahedron : mesh.tetrahedra) {
+    for(const auto& corner : corners) {
       std::array<int, 3> sorted = {{tetrahedron[corner[0]], tetrahedron[corner[1]], tetrahedron[corner[2]]}};
       std::sort(sorted.begin(), sorted.end());
       facets.push_back({sorted, facets.size()});
@@ -68,21 +66,19 @@ inline std::vector<std::array<int, 3> > boundary_triangles(const Tetrahedral_mes
   }
   std::sort(facets.begin(), facets.end());
   std::vector<std::size_t> numbers;
-  for(std::size_t i = 0, j; i < facets.size(); i = j)
-  {
-    for(j = i + 1; j < facets.size() && facets[j].sorted == facets[i].sorted; )
+  for(std::size_t i = 0, j; i < facets.size(); i = j) {
+    for(j = i + 1; j < facets.size() && facets[j].sorted == facets[i].sorted;)
       ++j;
     if(j == i + 1)
       numbers.push_back(facets[i].number);
   }
   std::sort(numbers.begin(), numbers.end());
 
-  std::vector<std::array<int, 3> > triangles;
+  std::vector<std::array<int, 3>> triangles;
   triangles.reserve(numbers.size());
   if(owners != nullptr)
     owners->clear();
-  for(const std::size_t number : numbers)
-  {
+  for(const std::size_t number : numbers) {
     const std::array<int, 4>& tetrahedron = mesh.tetrahedra[number / 4];
     const auto& corner = corners[number % 4];
     triangles.push_back({{tetrahedron[corner[0]], tetrahedron[corner[1]], tetrahedron[corner[2]]}});

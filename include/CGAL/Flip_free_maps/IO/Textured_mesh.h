@@ -27,16 +27,16 @@ namespace Flip_free_maps {
 struct Textured_mesh
 {
   /// Positions in space, in the units of the surface.
-  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<double, 3>> points;
 
   /// Texture coordinates `(u, v)`, in the units of the surface when they come from a map of this package.
-  std::vector<std::array<double, 2> > texture;
+  std::vector<std::array<double, 2>> texture;
 
   /// Corners of the triangles, as indices into `points`, counterclockwise seen from outside.
-  std::vector<std::array<int, 3> > triangles;
+  std::vector<std::array<int, 3>> triangles;
 
   /// `texture_triangles[i][k]` is the index into `texture` of corner `k` of triangle `i`; as many entries as `triangles`.
-  std::vector<std::array<int, 3> > texture_triangles;
+  std::vector<std::array<int, 3>> texture_triangles;
 };
 
 } // namespace Flip_free_maps

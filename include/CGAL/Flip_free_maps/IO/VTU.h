@@ -52,20 +52,16 @@ namespace internal {
 class XML_scanner
 {
 public:
-  explicit XML_scanner(std::string_view text)
-    : m_text(text)
-  {}
+  explicit XML_scanner(std::string_view text) : m_text(text) {}
 
   // Goes to the next tag; false at the end of the text or when it does not end properly, see is_broken().
   bool next()
   {
-    for(;;)
-    {
+    for(;;) {
       const std::size_t begin = m_text.find('<', m_end);
       if(begin == std::string_view::npos)
         return false;
-      if(m_text.substr(begin, 4) == "<!--")
-      {
+      if(m_text.substr(begin, 4) == "<!--") {
         const std::size_t end = m_text.find("-->", begin);
         m_is_broken = end == std::string_view::npos;
         if(m_is_broken)
@@ -99,8 +95,7 @@ public:
   // The value of the attribute; empty when there is none.
   std::string_view attribute(std::string_view key) const
   {
-    for(std::size_t i = m_tag.find(key); i != std::string_view::npos; i = m_tag.find(key, i + 1))
-    {
+    for(std::size_t i = m_tag.find(key); i != std::string_view::npos; i = m_tag.find(key, i + 1)) {
       const bool begins_here = i > 0 && std::string_view(" \t\r\n").find(m_tag[i - 1]) != std::string_view::npos;
       std::size_t j = m_tag.find_first_not_of(" \t\r\n", i + key.size());
       if(!begins_here || j == std::string_view::npos || m_tag[j] != '=')
@@ -139,8 +134,7 @@ public:
       return "the file does not begin with an element 'VTKFile'";
     if(scanner.attribute("type") != "UnstructuredGrid")
       return "the file holds " + quoted_word(scanner.attribute("type")) + ", not an 'UnstructuredGrid'";
-    while(scanner.next())
-    {
+    while(scanner.next()) {
       const std::string error = read_tag(scanner);
       if(!error.empty())
         return "line " + std::to_string(scanner.line()) + ": " + error;
@@ -160,8 +154,7 @@ private:
       m_group = name;
     else if(name == "/Points" || name == "/Cells")
       m_group = std::string_view();
-    else if(name == "Piece")
-    {
+    else if(name == "Piece") {
       long long points = -1, cells = -1;
       if(parse_number(scanner.attribute("NumberOfPoints"), points) != std::errc() || points < 0 ||
          parse_number(scanner.attribute("NumberOfCells"), cells) != std::errc() || cells < 0)
@@ -173,11 +166,9 @@ private:
       m_connectivity.clear();
       m_offsets.clear();
       m_types.clear();
-    }
-    else if(name == "/Piece")
+    } else if(name == "/Piece")
       return finish_piece();
-    else if(name == "DataArray" && !m_group.empty())
-    {
+    else if(name == "DataArray" && !m_group.empty()) {
       const std::string_view array = scanner.attribute("Name");
       if(m_group == "Points")
         return read_array(scanner, "Points", m_coordinates);
@@ -198,8 +189,7 @@ private:
     if(format != "ascii")
       return std::string("the array '") + name + "' is in the format " + quoted_word(format) + "; only 'ascii' is understood";
     values.clear();
-    for(Word_reader reader(scanner.content()); !reader.at_end();)
-    {
+    for(Word_reader reader(scanner.content()); !reader.at_end();) {
       bool is_read = false;
       Number value{};
       if constexpr(std::is_same<Number, double>::value)
@@ -216,8 +206,7 @@ private:
   std::string finish_piece()
   {
     if(m_coordinates.size() / 3 != m_number_of_points || m_coordinates.size() % 3 != 0)
-      return "the piece has " + std::to_string(m_coordinates.size()) + " coordinates for " + std::to_string(m_number_of_points) +
-             " points";
+      return "the piece has " + std::to_string(m_coordinates.size()) + " coordinates for " + std::to_string(m_number_of_points) + " points";
     if(m_offsets.size() != m_number_of_cells || m_types.size() != m_number_of_cells)
       return "the piece has " + std::to_string(m_offsets.size()) + " offsets and " + std::to_string(m_types.size()) + " types for " +
              std::to_string(m_number_of_cells) + " cells";
@@ -228,16 +217,15 @@ private:
       m_mesh.points.push_back({{m_coordinates[3 * i], m_coordinates[3 * i + 1], m_coordinates[3 * i + 2]}});
 
     long long begin = 0;
-    for(std::size_t i = 0; i < m_number_of_cells; ++i)
-    {
+    for(std::size_t i = 0; i < m_number_of_cells; ++i) {
       const long long end = m_offsets[i];
       if(end < begin || end > static_cast<long long>(m_connectivity.size()))
         return "the offset of cell " + std::to_string(i) + " is out of range";
       const std::string error = m_types[i] == TETRAHEDRON ? add_cell(i, begin, end, first, m_mesh.tetrahedra)
                                 : m_types[i] == TRIANGLE  ? add_cell(i, begin, end, first, m_mesh.triangles)
-                                : m_types[i] > TETRAHEDRON ? "cell " + std::to_string(i) + " is of type " + std::to_string(m_types[i]) +
-                                                               ", no tetrahedron (10)"
-                                                           : std::string();
+                                : m_types[i] > TETRAHEDRON
+                                  ? "cell " + std::to_string(i) + " is of type " + std::to_string(m_types[i]) + ", no tetrahedron (10)"
+                                  : std::string();
       if(!error.empty())
         return error;
       begin = end;
@@ -246,13 +234,12 @@ private:
   }
 
   template <std::size_t N>
-  std::string add_cell(std::size_t i, long long begin, long long end, std::size_t first, std::vector<std::array<int, N> >& cells) const
+  std::string add_cell(std::size_t i, long long begin, long long end, std::size_t first, std::vector<std::array<int, N>>& cells) const
   {
     if(end - begin != static_cast<long long>(N))
       return "cell " + std::to_string(i) + " has " + std::to_string(end - begin) + " corners, not " + std::to_string(N);
     std::array<int, N> cell;
-    for(std::size_t k = 0; k < N; ++k)
-    {
+    for(std::size_t k = 0; k < N; ++k) {
       const long long index = m_connectivity[begin + k];
       if(index < 0 || index >= static_cast<long long>(m_number_of_points))
         return "cell " + std::to_string(i) + " has the point " + std::to_string(index) + ", but there are " +
@@ -282,8 +269,7 @@ private:
 inline std::string VTU_arrays_error(const std::vector<VTU_array>& arrays, std::size_t size)
 {
   const std::string allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789 _-.";
-  for(const VTU_array& array : arrays)
-  {
+  for(const VTU_array& array : arrays) {
     if(array.name.empty() || array.name.find_first_not_of(allowed) != std::string::npos)
       return quoted_word(array.name) + " is no name for values";
     if(array.number_of_components < 1 || array.values.size() != size * array.number_of_components)
@@ -301,12 +287,10 @@ inline void append_VTU_arrays(std::string& text, const char* group, const std::v
   if(arrays.empty())
     return;
   text += std::string("      <") + group + ">\n";
-  for(const VTU_array& array : arrays)
-  {
+  for(const VTU_array& array : arrays) {
     text += "        <DataArray type=\"Float64\" Name=\"" + array.name + "\" NumberOfComponents=\"" +
             std::to_string(array.number_of_components) + "\" format=\"ascii\">\n";
-    for(std::size_t i = 0; i < array.values.size(); ++i)
-    {
+    for(std::size_t i = 0; i < array.values.size(); ++i) {
       append_number(text, array.values[i]);
       text += (i + 1) % array.number_of_components == 0 ? '\n' : ' ';
     }
@@ -352,11 +336,8 @@ inline bool read_VTU(const std::string& path, Tetrahedral_mesh& mesh, std::strin
   \returns `true` if the file was written. An invalid mesh, and arrays with an invalid name,
            of a wrong size or with values that are not finite, are refused before the file is touched.
 */
-inline bool write_VTU(const std::string& path,
-                      const Tetrahedral_mesh& mesh,
-                      const std::vector<VTU_array>& point_data = {},
-                      const std::vector<VTU_array>& cell_data = {},
-                      std::string* message = nullptr)
+inline bool write_VTU(const std::string& path, const Tetrahedral_mesh& mesh, const std::vector<VTU_array>& point_data = {},
+                      const std::vector<VTU_array>& cell_data = {}, std::string* message = nullptr)
 {
   std::string error = internal::tetrahedral_mesh_error(mesh);
   if(error.empty())
@@ -369,26 +350,23 @@ inline bool write_VTU(const std::string& path,
   std::string text = "<?xml version=\"1.0\"?>\n"
                      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
                      "  <UnstructuredGrid>\n"
-                     "    <Piece NumberOfPoints=\"" + std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +
-                     std::to_string(mesh.tetrahedra.size()) + "\">\n";
+                     "    <Piece NumberOfPoints=\"" +
+                     std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" + std::to_string(mesh.tetrahedra.size()) + "\">\n";
   internal::append_VTU_arrays(text, "PointData", point_data);
   internal::append_VTU_arrays(text, "CellData", cell_data);
   text += "      <Points>\n        <DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
-  for(const std::array<double, 3>& point : mesh.points)
-  {
+  for(const std::array<double, 3>& point : mesh.points) {
     internal::append_coordinates(text, point);
     text += '\n';
   }
   text += "        </DataArray>\n      </Points>\n"
           "      <Cells>\n        <DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">\n";
-  for(const std::array<int, 4>& tetrahedron : mesh.tetrahedra)
-  {
+  for(const std::array<int, 4>& tetrahedron : mesh.tetrahedra) {
     internal::append_numbers(text, tetrahedron);
     text += '\n';
   }
   text += "        </DataArray>\n        <DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-  for(std::size_t i = 0; i < mesh.tetrahedra.size(); ++i)
-  {
+  for(std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
     internal::append_number(text, static_cast<long long>(4 * i + 4));
     text += '\n';
   }

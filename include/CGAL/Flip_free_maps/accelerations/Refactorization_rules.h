@@ -41,9 +41,9 @@ struct Every_iteration
 /// \cgalModels{RefactorizationRule}
 struct On_demand
 {
-  int largest_age = 30;            ///< steps per factorization
-  double shortest_step = 0.01;     ///< a shorter last step asks for a restart
-  double largest_decrease = 0.03;  ///< so does a greater relative decrease of the energy
+  int largest_age = 30;           ///< steps per factorization
+  double shortest_step = 0.01;    ///< a shorter last step asks for a restart
+  double largest_decrease = 0.03; ///< so does a greater relative decrease of the energy
 
   /// What to do now, see `Every_iteration`.
   Refactorization operator()(int age, double last_step, double relative_decrease) const

@@ -24,11 +24,11 @@ namespace Flip_free_maps {
 /// What an observer of `unwrap()` is told at the beginning of each chart and in each iteration on it.
 struct Unwrap_progress
 {
-  int charts_done = 0;            ///< charts that are finished
-  int charts = 0;                 ///< charts that are known of, those to be flattened included; it grows when charts are split
-  std::int64_t faces_done = 0;    ///< faces of the charts that are finished
-  std::int64_t faces = 0;         ///< faces of the mesh
-  double seconds = 0;             ///< wall-clock seconds since the beginning
+  int charts_done = 0;         ///< charts that are finished
+  int charts = 0;              ///< charts that are known of, those to be flattened included; it grows when charts are split
+  std::int64_t faces_done = 0; ///< faces of the charts that are finished
+  std::int64_t faces = 0;      ///< faces of the mesh
+  double seconds = 0;          ///< wall-clock seconds since the beginning
 };
 
 /// \ingroup PkgFlipFreeMapsRef

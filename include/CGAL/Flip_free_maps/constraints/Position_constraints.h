@@ -54,8 +54,8 @@ struct Position_constraints
     for(std::size_t i = 0; i < soft_positions.size(); ++i) {
       const Soft_position<D>& soft = soft_positions[i];
       const auto fail = [&](const std::string& what) { // Users whose vertices have no numbers know the entry.
-        return internal::fail(message, "soft position number " + std::to_string(i) + ", of vertex number " +
-                                         std::to_string(soft.vertex) + ", " + what);
+        return internal::fail(message, "soft position number " + std::to_string(i) + ", of vertex number " + std::to_string(soft.vertex) +
+                                         ", " + what);
       };
       if(soft.vertex < 0 || soft.vertex >= number_of_vertices)
         return fail("but there are " + std::to_string(number_of_vertices) + " vertices");

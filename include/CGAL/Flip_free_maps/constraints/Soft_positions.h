@@ -21,8 +21,7 @@ namespace Flip_free_maps {
 /// \ingroup PkgFlipFreeMapsConstraints
 /// The term sum_v w_v |x_v - target_v|^2.
 template <int D>
-class Soft_positions
-  : public Objective_term<D>
+class Soft_positions : public Objective_term<D>
 {
 public:
   /// Takes the soft positions of `constraints`.

@@ -38,23 +38,29 @@ namespace Flip_free_maps {
 namespace internal {
 
 template <typename Point, typename = void>
-struct Has_y : std::false_type {};
+struct Has_y : std::false_type
+{};
 
 template <typename Point>
-struct Has_y<Point, std::void_t<decltype(std::declval<const Point&>().y())>> : std::true_type {};
+struct Has_y<Point, std::void_t<decltype(std::declval<const Point&>().y())>> : std::true_type
+{};
 
 template <typename Point, typename = void>
-struct Has_z : std::false_type {};
+struct Has_z : std::false_type
+{};
 
 template <typename Point>
-struct Has_z<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::true_type {};
+struct Has_z<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::true_type
+{};
 
 // Whether a point, of CGAL or a user's own, has two coordinates only.
 template <typename Point>
-struct Is_planar_point : std::bool_constant<Has_y<Point>::value && !Has_z<Point>::value> {};
+struct Is_planar_point : std::bool_constant<Has_y<Point>::value && !Has_z<Point>::value>
+{};
 
 template <typename T, std::size_t N>
-struct Is_planar_point<std::array<T, N>> : std::bool_constant<N == 2> {};
+struct Is_planar_point<std::array<T, N>> : std::bool_constant<N == 2>
+{};
 
 } // namespace internal
 
@@ -293,8 +299,8 @@ private:
       return Status::non_manifold;
     }
     message = "the component has genus " + std::to_string((2 - borders - euler) / 2) + ": its Euler characteristic is " +
-              std::to_string(euler) + ", and with " + std::to_string(borders) + (borders == 1 ? " border" : " borders") +
-              " it should be " + std::to_string(2 - borders) + "; cut_to_disk() opens its handles";
+              std::to_string(euler) + ", and with " + std::to_string(borders) + (borders == 1 ? " border" : " borders") + " it should be " +
+              std::to_string(2 - borders) + "; cut_to_disk() opens its handles";
     return Status::not_a_disk;
   }
 

@@ -35,7 +35,8 @@ public:
   /// \returns as the other overload
   Status load(const Mesh_complex& complex, std::string& message)
   {
-    return load_if(complex, [](Cell_handle) { return true; }, message);
+    return load_if(
+      complex, [](Cell_handle) { return true; }, message);
   }
 
   /// Reads the cells in one subdomain.
@@ -50,7 +51,8 @@ public:
   /// Complexity: linear in the size of the triangulation, on average.
   Status load(const Mesh_complex& complex, const Subdomain_index& subdomain, std::string& message)
   {
-    return load_if(complex, [&](Cell_handle c) { return complex.subdomain_index(c) == subdomain; }, message);
+    return load_if(
+      complex, [&](Cell_handle c) { return complex.subdomain_index(c) == subdomain; }, message);
   }
 
 private:

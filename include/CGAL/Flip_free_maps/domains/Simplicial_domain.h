@@ -80,10 +80,7 @@ struct Simplicial_domain
   }
 
   /// The Jacobian of the map on element `e`: rest shape to image.
-  internal::Matrix<D> jacobian(std::int64_t e, const Positions<D>& x) const
-  {
-    return image_edges(e, x) * rest_inverses[e];
-  }
+  internal::Matrix<D> jacobian(std::int64_t e, const Positions<D>& x) const { return image_edges(e, x) * rest_inverses[e]; }
 };
 
 } // namespace Flip_free_maps

@@ -53,8 +53,7 @@ public:
       }
       add(vertices);
     }
-    return finish([&mesh](std::size_t v) { return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(mesh.pointlist + 3 * v)); },
-                  message);
+    return finish([&mesh](std::size_t v) { return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(mesh.pointlist + 3 * v)); }, message);
   }
 };
 

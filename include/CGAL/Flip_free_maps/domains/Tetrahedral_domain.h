@@ -64,8 +64,7 @@ public:
       if(is_used[v])
         add_vertex(v);
     for(const auto& t : tetrahedra)
-      add({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]),
-           static_cast<std::size_t>(t[3])});
+      add({static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]), static_cast<std::size_t>(t[3])});
     return finish(
       [&points](std::size_t v) {
         const auto& p = points[v];

@@ -43,7 +43,8 @@ public:
   /// \returns as the other overload
   Status load(const Triangulation& triangulation, std::string& message)
   {
-    return load(triangulation, [](Cell_handle) { return true; }, message);
+    return load(
+      triangulation, [](Cell_handle) { return true; }, message);
   }
 
   /// Reads the finite cells that `is_selected` is `true` for.

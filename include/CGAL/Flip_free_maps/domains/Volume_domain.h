@@ -268,9 +268,8 @@ private:
       for(Simplicial_domain<3>::Element& v : m_domain.elements)
         std::swap(v[2], v[3]);
     else if(negative > 0) {
-      message = std::to_string(negative) + " of " + std::to_string(m_domain.elements.size()) +
-                " tetrahedra are inverted at rest: number " + std::to_string(first_negative) + " and number " +
-                std::to_string(first_positive) + " have opposite orientations";
+      message = std::to_string(negative) + " of " + std::to_string(m_domain.elements.size()) + " tetrahedra are inverted at rest: number " +
+                std::to_string(first_negative) + " and number " + std::to_string(first_positive) + " have opposite orientations";
       return Status::degenerate_rest_element;
     }
     return Status::success;

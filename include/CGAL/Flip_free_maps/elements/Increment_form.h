@@ -17,11 +17,13 @@ namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// Category of preconditioners whose matrix is the same in every iteration: it is factorized once.
-struct Constant_matrix_tag {};
+struct Constant_matrix_tag
+{};
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// Category of preconditioners whose matrix depends on the current map: it is factorized as the refactorization rule says.
-struct Varying_matrix_tag {};
+struct Varying_matrix_tag
+{};
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// What a preconditioner is told about one element: the signed singular values `s` of its Jacobian J = U diag(s) V^T, and the

@@ -36,8 +36,8 @@ inline double step_of_triangle(const Eigen::Matrix2d& edges, const Eigen::Matrix
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const double c = edges.determinant();
-  const double b = edges(0, 0) * increment(1, 1) + increment(0, 0) * edges(1, 1)
-                 - edges(0, 1) * increment(1, 0) - increment(0, 1) * edges(1, 0);
+  const double b =
+    edges(0, 0) * increment(1, 1) + increment(0, 0) * edges(1, 1) - edges(0, 1) * increment(1, 0) - increment(0, 1) * edges(1, 0);
   const double a = increment.determinant();
   const double discriminant = b * b - 4 * a * c;
   if(!(discriminant >= 0))
@@ -107,8 +107,7 @@ inline double step_of_tetrahedron(const Eigen::Matrix3d& edges, const Eigen::Mat
   const auto mixed = [](const Eigen::Matrix3d& x, const Eigen::Matrix3d& y) {
     return y.col(0).dot(x.col(1).cross(x.col(2))) + y.col(1).dot(x.col(2).cross(x.col(0))) + y.col(2).dot(x.col(0).cross(x.col(1)));
   };
-  return internal::smallest_positive_root(edges.determinant(), mixed(edges, increment), mixed(increment, edges),
-                                          increment.determinant());
+  return internal::smallest_positive_root(edges.determinant(), mixed(edges, increment), mixed(increment, edges), increment.determinant());
 }
 
 } // namespace internal
@@ -123,7 +122,6 @@ inline double largest_flip_free_step(const Eigen::Matrix2d& edges, const Eigen::
 {
   return internal::scaled_step(edges, increment, internal::step_of_triangle);
 }
-
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The smallest a > 0 with det(edges + a increment) = 0 for a tetrahedron, `infinity` when there is none. The determinant is a

@@ -49,8 +49,7 @@ struct Amips
 
   /// First and second derivatives of psi in the singular values.
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     // In u_i = log s_i the energy is prod_{i<j} cosh(u_i - u_j) + cosh(sum_i u_i).
     const auto bounded = [](double x) { return (std::max)(1 / internal::LARGEST_RATIO, (std::min)(x, internal::LARGEST_RATIO)); };

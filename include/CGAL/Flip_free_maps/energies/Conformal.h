@@ -44,8 +44,7 @@ struct Conformal
 
   /// First and second derivatives of psi in the singular values.
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     // With p_i = s_i^2 / I_1, the derivatives in log s_i are psi q_i with q_i = D p_i - 1.
     const Eigen::Array<double, D, 1> squares = internal::isochoric_squares<D>(s).min(internal::LARGEST_RATIO);

@@ -44,8 +44,7 @@ struct Exponential_amips
 
   /// First and second derivatives of psi in the singular values.
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     Amips().derivatives<D>(s, gradient, hessian);
     internal::exponentiate_derivatives<D>(factor, Amips().value<D>(s), gradient, hessian);

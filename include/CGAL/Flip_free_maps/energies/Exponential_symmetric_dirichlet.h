@@ -45,8 +45,7 @@ struct Exponential_symmetric_dirichlet
 
   /// First and second derivatives of psi in the singular values.
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     Symmetric_dirichlet().derivatives<D>(s, gradient, hessian);
     internal::exponentiate_derivatives<D>(factor, Symmetric_dirichlet().value<D>(s), gradient, hessian);

@@ -35,8 +35,7 @@ struct Hencky
 
   /// First and second derivatives of psi in the singular values.
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     const Eigen::Array<double, D, 1> inverse = s.array().inverse(), logarithm = s.array().log();
     gradient = 2 * logarithm * inverse;

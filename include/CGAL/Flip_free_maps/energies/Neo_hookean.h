@@ -51,8 +51,7 @@ struct Neo_hookean
 
   /// First and second derivatives of psi in the singular values.
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     const Eigen::Matrix<double, D, 1> squares = internal::isochoric_squares<D>(s).min(internal::LARGEST_RATIO);
     const double mean = squares.mean(), d = (std::min)(s.prod(), internal::LARGEST_RATIO);
@@ -60,8 +59,7 @@ struct Neo_hookean
     Eigen::Matrix<double, D, D> log_hessian;
     for(int i = 0; i < D; ++i)
       for(int j = 0; j < D; ++j)
-        log_hessian(i, j) = 2 * mu * ((i == j ? squares[i] : 0) + (mean - (squares[i] + squares[j])) / D) +
-                            kappa * (2 * d - 1) * d;
+        log_hessian(i, j) = 2 * mu * ((i == j ? squares[i] : 0) + (mean - (squares[i] + squares[j])) / D) + kappa * (2 * d - 1) * d;
     internal::from_logarithms<D>(s, log_gradient, log_hessian, gradient, hessian);
   }
 

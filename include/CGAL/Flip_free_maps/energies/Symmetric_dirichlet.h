@@ -41,8 +41,7 @@ struct Symmetric_dirichlet
 
   /// First and second derivatives of psi in the singular values.
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     const Eigen::Array<double, D, 1> inverse = s.array().inverse();
     const Eigen::Array<double, D, 1> cube = inverse.cube();

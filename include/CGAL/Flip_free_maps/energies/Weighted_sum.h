@@ -48,8 +48,7 @@ struct Weighted_sum
 
   /// First and second derivatives of psi in the singular values.
   template <int D>
-  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                   Eigen::Matrix<double, D, D>& hessian) const
+  void derivatives(const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient, Eigen::Matrix<double, D, D>& hessian) const
   {
     Eigen::Matrix<double, D, 1> second_gradient;
     Eigen::Matrix<double, D, D> second_hessian;
@@ -61,9 +60,8 @@ struct Weighted_sum
 
   /// The Hessian of the convex part of psi, the sum of both. Only when both energies have one.
   template <int D, typename First = Energy1, typename Second = Energy2>
-  std::enable_if_t<internal::Has_convex_hessian<First, D>::value && internal::Has_convex_hessian<Second, D>::value>
-  convex_hessian(const Eigen::Matrix<double, D, 1>& s, const Eigen::Matrix<double, D, D>& /* hessian */,
-                 Eigen::Matrix<double, D, D>& convex) const
+  std::enable_if_t<internal::Has_convex_hessian<First, D>::value && internal::Has_convex_hessian<Second, D>::value> convex_hessian(
+    const Eigen::Matrix<double, D, 1>& s, const Eigen::Matrix<double, D, D>& /* hessian */, Eigen::Matrix<double, D, D>& convex) const
   {
     convex = first_weight * convex_part<D>(first, s) + second_weight * convex_part<D>(second, s);
   }

@@ -225,11 +225,11 @@ private:
 
   // A polar map is taken when its energy is below this times that of a simplified surface, which is still far from smooth.
   static constexpr double POLAR_ADVANTAGE = 0.8;
-  static constexpr int ROUNDS = 6; // of trying to place a vertex
+  static constexpr int ROUNDS = 6;               // of trying to place a vertex
   static constexpr std::size_t CHUNK_SIZE = 256; // vertices that are placed by one thread
-  static constexpr int NEWTON_STEPS = 4; // for a vertex that is put back; most need one
-  static constexpr double NEAR_LEVEL = 0.88; // since passes multiply the number of triangles by about 1.3
-  static constexpr int SWEEPS = 2; // over all vertices of a thin surface, after each pass
+  static constexpr int NEWTON_STEPS = 4;         // for a vertex that is put back; most need one
+  static constexpr double NEAR_LEVEL = 0.88;     // since passes multiply the number of triangles by about 1.3
+  static constexpr int SWEEPS = 2;               // over all vertices of a thin surface, after each pass
   // Before a level is optimised, and at the end, the vertices of distorted triangles are relaxed one by one. That costs little
   // and spares the optimisation the triangles that would hold it up.
   static constexpr double LARGEST_DISTORTION = 1.5;

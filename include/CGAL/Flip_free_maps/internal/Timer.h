@@ -19,16 +19,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-inline double wall_seconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+inline double wall_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // CPU seconds of all threads of the process.
-inline double cpu_seconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
+inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Adds the time of its scope to a sum.
 class Phase_timer

@@ -17,10 +17,7 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-inline bool is_tolerance(double value)
-{
-  return value >= 0 && std::isfinite(value);
-}
+inline bool is_tolerance(double value) { return value >= 0 && std::isfinite(value); }
 
 // Checks the limits that all minimizers' options have.
 template <typename Options>

@@ -37,9 +37,7 @@ public:
   static constexpr bool takes_memory_budget = true; ///< by its constructor
 
   /// \param memory_budget bytes for the factor; 0 stands for half of the machine's memory
-  explicit Automatic_solver(double memory_budget = 0)
-    : m_budget(memory_budget > 0 ? memory_budget : 0.5 * internal::physical_memory())
-  {}
+  explicit Automatic_solver(double memory_budget = 0) : m_budget(memory_budget > 0 ? memory_budget : 0.5 * internal::physical_memory()) {}
 
   /// That of the solver in use.
   std::string name() const { return m_is_direct ? m_direct->name() : m_iterative.name(); }
@@ -51,8 +49,7 @@ public:
   {
     m_direct = std::make_unique<DirectSolver>();
     m_fits = m_direct->analyze_pattern(matrix) && ENTRY_BYTES * static_cast<double>(m_direct->factor_entries()) <= m_budget;
-    const bool is_slow =
-      matrix.block_size() == 3 && m_direct->factor_operations() > SLOW * static_cast<double>(matrix.number_of_entries());
+    const bool is_slow = matrix.block_size() == 3 && m_direct->factor_operations() > SLOW * static_cast<double>(matrix.number_of_entries());
     m_is_direct = m_fits && !is_slow;
     m_has_failed = false;
     if(m_is_direct)

@@ -62,8 +62,7 @@ public:
     m_split.reset();
     const internal::Single_thread guard;
     std::vector<Block_sparse_matrix::Index> graph_rows(matrix.block_row_indices().begin(), matrix.block_row_indices().end());
-    const cholmod_sparse graph =
-      internal::cholmod_view(matrix.number_of_vertices(), matrix.block_column_starts(), graph_rows, nullptr);
+    const cholmod_sparse graph = internal::cholmod_view(matrix.number_of_vertices(), matrix.block_column_starts(), graph_rows, nullptr);
 
     m_ordering = "amd";
     auto best = std::make_unique<internal::Cholmod_factor>();

@@ -34,13 +34,20 @@ class Block_jacobi
 {
 public:
   using StorageIndex = Block_sparse_matrix::Index; ///< type of indices
-  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
+  enum
+  {
+    ColsAtCompileTime = Eigen::Dynamic,
+    MaxColsAtCompileTime = Eigen::Dynamic
+  };
 
   static const char* name() { return "block Jacobi"; } ///< "block Jacobi"
 
   /// Nothing to do.
   template <typename Matrix>
-  Block_jacobi& analyzePattern(const Matrix& /* matrix */) { return *this; }
+  Block_jacobi& analyzePattern(const Matrix& /* matrix */)
+  {
+    return *this;
+  }
 
   /// Inverts the blocks of a matrix with sorted columns of which the lower triangle is stored.
   template <typename Matrix>
@@ -65,7 +72,10 @@ public:
 
   /// Both of these.
   template <typename Matrix>
-  Block_jacobi& compute(const Matrix& matrix) { return factorize(matrix); }
+  Block_jacobi& compute(const Matrix& matrix)
+  {
+    return factorize(matrix);
+  }
 
   /// Multiplies by the inverses.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const
@@ -88,8 +98,7 @@ private:
 /// The preconditioner of conjugate gradients that factorizes without fill, Eigen's `IncompleteCholesky`.
 ///
 /// Complexity: linear in the entries of the matrix, of which it keeps as many.
-class Incomplete_cholesky
-  : public Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<Block_sparse_matrix::Index>>
+class Incomplete_cholesky : public Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<Block_sparse_matrix::Index>>
 {
 public:
   static const char* name() { return "incomplete Cholesky"; } ///< "incomplete Cholesky"

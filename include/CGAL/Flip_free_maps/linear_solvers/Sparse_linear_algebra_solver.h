@@ -22,12 +22,13 @@ namespace Flip_free_maps {
 namespace internal {
 
 template <typename Traits, typename = void>
-struct Has_factor : std::false_type {};
+struct Has_factor : std::false_type
+{};
 
 template <typename Traits>
 struct Has_factor<Traits, std::void_t<decltype(std::declval<Traits&>().factor(std::declval<const typename Traits::Matrix&>(),
-                                                                               std::declval<typename Traits::NT&>()))>>
-  : std::true_type {};
+                                                                              std::declval<typename Traits::NT&>()))>> : std::true_type
+{};
 
 } // namespace internal
 
@@ -49,9 +50,7 @@ class Sparse_linear_algebra_solver
 
 public:
   /// Keeps a copy of `traits`.
-  explicit Sparse_linear_algebra_solver(const SparseLinearAlgebraTraits& traits = SparseLinearAlgebraTraits())
-    : m_traits(traits)
-  {}
+  explicit Sparse_linear_algebra_solver(const SparseLinearAlgebraTraits& traits = SparseLinearAlgebraTraits()) : m_traits(traits) {}
 
   /// "sparse_linear_algebra_traits"
   std::string name() const { return "sparse_linear_algebra_traits"; }

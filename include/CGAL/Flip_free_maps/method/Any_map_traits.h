@@ -147,15 +147,14 @@ public:
   /// The preconditioners of the methods without progressive references.
   static const std::map<std::string, Any_preconditioner>& preconditioners()
   {
-    static const std::map<std::string, Any_preconditioner> all{
-      {"aqp", Any_preconditioner(Laplacian())},
-      {"sobolev", Any_preconditioner(Laplacian())},
-      {"akvf", Any_preconditioner(Killing())},
-      {"slim", Any_preconditioner(Slim())},
-      {"cm", Any_preconditioner(Composite_majorization<>())},
-      {"pp", Any_preconditioner(Hybrid<>())},
-      {"newton", Any_preconditioner(Newton())},
-      {"projected-newton", Any_preconditioner(Projected_newton())}};
+    static const std::map<std::string, Any_preconditioner> all{{"aqp", Any_preconditioner(Laplacian())},
+                                                               {"sobolev", Any_preconditioner(Laplacian())},
+                                                               {"akvf", Any_preconditioner(Killing())},
+                                                               {"slim", Any_preconditioner(Slim())},
+                                                               {"cm", Any_preconditioner(Composite_majorization<>())},
+                                                               {"pp", Any_preconditioner(Hybrid<>())},
+                                                               {"newton", Any_preconditioner(Newton())},
+                                                               {"projected-newton", Any_preconditioner(Projected_newton())}};
     return all;
   }
 

@@ -92,13 +92,13 @@ public:
   /// \name Choices
   /// The objects may be replaced or changed before they are used.
   /// @{
-  Energy energy;                            ///< what is minimised
-  Preconditioner preconditioner;            ///< how directions are found
-  Reference reference;                      ///< the rest shape to measure against
-  Acceleration acceleration;                ///< what is made of successive directions
-  Refactorization_rule refactorization_rule;///< when the preconditioner is factorized
-  Map_options options;                      ///< stopping rules, step lengths, observer
-  Start_options start;                      ///< the start of a parameterization
+  Energy energy;                             ///< what is minimised
+  Preconditioner preconditioner;             ///< how directions are found
+  Reference reference;                       ///< the rest shape to measure against
+  Acceleration acceleration;                 ///< what is made of successive directions
+  Refactorization_rule refactorization_rule; ///< when the preconditioner is factorized
+  Map_options options;                       ///< stopping rules, step lengths, observer
+  Start_options start;                       ///< the start of a parameterization
   /// @}
 
   /// Prepares the default method, and only it, for a surface that can be flattened without distortion. `parameterize()` calls it

@@ -42,19 +42,19 @@ enum class Tutte_weights
 /// How the start of a parameterization is made.
 struct Start_options
 {
-  Border_shape border = Border_shape::circle;      ///< shape of the border
-  std::vector<std::array<double, 2>> polygon;      ///< corners of a convex polygon, for `Border_shape::polygon`
-  Tutte_weights weights = Tutte_weights::uniform;  ///< weights to begin with
+  Border_shape border = Border_shape::circle;     ///< shape of the border
+  std::vector<std::array<double, 2>> polygon;     ///< corners of a convex polygon, for `Border_shape::polygon`
+  Tutte_weights weights = Tutte_weights::uniform; ///< weights to begin with
   /// From this number of faces on, the start is found from coarse to fine; below, or when negative, by a Tutte embedding.
   std::int64_t multilevel_size = 1000;
-  std::int64_t coarsest_size = 800;                ///< faces of the simplest surface
-  double level_ratio = 3.5;                        ///< the map is optimised each time the number of faces has grown by about this
-                                                   ///< factor
-  double level_tolerance = 1e-3;                   ///< relative decrease of the energy at which such an optimisation ends
+  std::int64_t coarsest_size = 800; ///< faces of the simplest surface
+  double level_ratio = 3.5;         ///< the map is optimised each time the number of faces has grown by about this
+                                    ///< factor
+  double level_tolerance = 1e-3;    ///< relative decrease of the energy at which such an optimisation ends
   /// Whether triangles are laid in the plane next to each other first. The result is the start if none is flipped and they are
   /// distorted little, as on developable surfaces, where it is the isometry.
   bool unfold = false;
-  bool fall_back = true;                           ///< whether other weights and a circle are tried when elements are flipped
+  bool fall_back = true; ///< whether other weights and a circle are tried when elements are flipped
   /// Whether border vertices of a single triangle go to their optimum (Claici et al., section 5.4). Off: over 49 surfaces the
   /// default method needed 3 % more factorizations with it (geometric mean; fewer on 9, more on 8).
   bool place_flaps = false;
@@ -77,8 +77,7 @@ struct Start_options
       turning += std::atan2(cross, dot);
     }
     // A star polygon turns left everywhere too, but more than once around.
-    return (convex && turning < 6.5) ||
-           internal::fail(message, "the border polygon must be strictly convex and counterclockwise");
+    return (convex && turning < 6.5) || internal::fail(message, "the border polygon must be strictly convex and counterclockwise");
   }
 };
 

@@ -41,8 +41,7 @@ namespace Flip_free_maps {
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `Energy` is a model of `DistortionEnergy` for maps of dimension `D`.
 template <typename Energy, int D>
-struct DistortionEnergyConcept
-  : boost::CopyConstructible<Energy>
+struct DistortionEnergyConcept : boost::CopyConstructible<Energy>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(DistortionEnergyConcept)
@@ -69,8 +68,7 @@ private:
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `Energy` is a model of `ConvexConcaveEnergy` for maps of dimension `D`.
 template <typename Energy, int D>
-struct ConvexConcaveEnergyConcept
-  : DistortionEnergyConcept<Energy, D>
+struct ConvexConcaveEnergyConcept : DistortionEnergyConcept<Energy, D>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ConvexConcaveEnergyConcept)
@@ -91,8 +89,7 @@ private:
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `P` is a model of `Preconditioner` for maps of dimension `D` and a given energy.
 template <typename P, typename Energy, int D>
-struct PreconditionerConcept
-  : boost::CopyConstructible<P>
+struct PreconditionerConcept : boost::CopyConstructible<P>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(PreconditionerConcept)
@@ -120,8 +117,7 @@ private:
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `R` is a model of `Reference` for maps of dimension `D`.
 template <typename R, int D>
-struct ReferenceConcept
-  : boost::CopyConstructible<R>
+struct ReferenceConcept : boost::CopyConstructible<R>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ReferenceConcept)
@@ -152,8 +148,7 @@ private:
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `A` is a model of `Acceleration`.
 template <typename A>
-struct AccelerationConcept
-  : boost::CopyConstructible<A>
+struct AccelerationConcept : boost::CopyConstructible<A>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(AccelerationConcept)
@@ -182,8 +177,7 @@ private:
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `Rule` is a model of `RefactorizationRule`.
 template <typename Rule>
-struct RefactorizationRuleConcept
-  : boost::CopyConstructible<Rule>
+struct RefactorizationRuleConcept : boost::CopyConstructible<Rule>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(RefactorizationRuleConcept)
@@ -214,8 +208,8 @@ struct SymmetricSparseSolverConcept
   }
 
 private:
-  static void requirements(Solver& solver, const Solver& const_solver, const Block_sparse_matrix& matrix,
-                           const Eigen::VectorXd& b, Eigen::VectorXd& x)
+  static void requirements(Solver& solver, const Solver& const_solver, const Block_sparse_matrix& matrix, const Eigen::VectorXd& b,
+                           Eigen::VectorXd& x)
   {
     const std::string name = const_solver.name();
     const std::string ordering = const_solver.ordering();
@@ -236,8 +230,7 @@ private:
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `I` is a model of `Initializer` when given a functor `MakeLinearSolver` that returns a new linear solver.
 template <typename I, typename MakeLinearSolver>
-struct InitializerConcept
-  : boost::CopyConstructible<I>
+struct InitializerConcept : boost::CopyConstructible<I>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(InitializerConcept)
@@ -247,8 +240,8 @@ struct InitializerConcept
   }
 
 private:
-  static void requirements(const I& initializer, const Simplicial_domain<2>& domain, MakeLinearSolver& make_linear_solver,
-                           Positions<2>& x, std::string& name, std::string& message)
+  static void requirements(const I& initializer, const Simplicial_domain<2>& domain, MakeLinearSolver& make_linear_solver, Positions<2>& x,
+                           std::string& name, std::string& message)
   {
     const Status status = initializer(domain, make_linear_solver, x, name, message);
     boost::ignore_unused_variable_warning(status);
@@ -259,8 +252,7 @@ private:
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `Traits` is a model of `MapTraits` for maps of dimension `D`, and that its parts are models of their concepts.
 template <typename Traits, int D>
-struct MapTraitsConcept
-  : boost::CopyConstructible<Traits>
+struct MapTraitsConcept : boost::CopyConstructible<Traits>
 {
   /// \cond SKIP_IN_MANUAL
   using Kernel = typename Traits::Kernel;

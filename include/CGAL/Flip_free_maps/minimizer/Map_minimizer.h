@@ -69,8 +69,11 @@ public:
   /// \param constraints vertices that are fixed or pulled to places
   explicit Map_minimizer(const Simplicial_domain<D>& domain, const Traits& traits = Traits(),
                          const Position_constraints<D>& constraints = Position_constraints<D>())
-    : m_domain(domain), m_traits(traits), m_objective(domain, m_traits.energy, m_traits.preconditioner),
-      m_linear_solver(m_traits.make_linear_solver()), m_solver(m_linear_solver)
+    : m_domain(domain),
+      m_traits(traits),
+      m_objective(domain, m_traits.energy, m_traits.preconditioner),
+      m_linear_solver(m_traits.make_linear_solver()),
+      m_solver(m_linear_solver)
   {
     if(!constraints.is_valid(domain.number_of_vertices, &m_constraint_error))
       return;
@@ -165,8 +168,8 @@ private:
   // What the stopping rules look at.
   struct Progress
   {
-    double energy = 0;      // what is minimised in this iteration, measured on the reference
-    double rest_energy = 0; // the same, measured on the rest shape
+    double energy = 0;                                                  // what is minimised in this iteration, measured on the reference
+    double rest_energy = 0;                                             // the same, measured on the rest shape
     double relative_decrease = std::numeric_limits<double>::infinity(); // of the rest energy
     double model_ratio = std::numeric_limits<double>::quiet_NaN();
     double predicted_decrease = std::numeric_limits<double>::infinity(); // relative, by the full last step, as the model had it
@@ -285,8 +288,7 @@ private:
   // Iterates until a rule ends the run, and says which in the summary.
   void iterate(Run& run)
   {
-    while(iterate_once(run)) {
-    }
+    while(iterate_once(run)) {}
     Summary& summary = run.summary;
     if(!summary.is_valid())
       return;
@@ -469,7 +471,8 @@ private:
 
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& y)
   {
-    return m_renewed.solve(b, [this](const Eigen::VectorXd& r, Eigen::VectorXd& z) { return m_solver.solve(r, z); }, y);
+    return m_renewed.solve(
+      b, [this](const Eigen::VectorXd& r, Eigen::VectorXd& z) { return m_solver.solve(r, z); }, y);
   }
 
   bool factorize(Run& run)
@@ -609,8 +612,7 @@ private:
       const internal::Phase_timer timer(run.summary.seconds.line_search);
       m_objective.free_blocked_vertices(
         m_traits.reference, run.displacement, BLOCKED * progress.largest_step,
-        [this](std::int64_t e, const Positions<D>& y) { return is_element_certified(e, y); },
-        run.trial);
+        [this](std::int64_t e, const Positions<D>& y) { return is_element_certified(e, y); }, run.trial);
       found.energy = m_objective.energy(m_traits.reference, run.trial);
     }
     progress.fresh = m_age == 0 && m_traits.preconditioner.is_second_order;
@@ -648,8 +650,7 @@ private:
         return;
       const internal::Phase_timer timer(run.summary.seconds.line_search);
       m_objective.spread(run.direction, run.displacement);
-      const double largest =
-        allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
+      const double largest = allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
       run.trial = run.x + (std::min)(1., run.options.step_fraction * largest) * run.displacement;
       const double energy = m_objective.energy(m_traits.reference, run.trial);
       ++run.summary.energy_evaluations;
@@ -693,8 +694,7 @@ private:
         finish(summary, Status::linear_solver_failed, "no direction was found while the fixed vertices moved");
         return false;
       }
-      const double largest =
-        allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
+      const double largest = allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
       double step = 0.5 * largest >= 1 ? 1 : 0.5 * largest;
       for(;; step *= 0.5) {
         run.trial = run.x + step * run.displacement;
@@ -722,8 +722,7 @@ private:
       run.progress.small_decreases = 0;
       run.retries = 0;
       m_is_factorized = false;
-      while(iterate_once(run)) {
-      }
+      while(iterate_once(run)) {}
       if(summary.status == Status::stopped_by_observer || summary.status == Status::time_limit || !summary.is_valid()) {
         if(summary.status != Status::linear_solver_failed)
           finish(summary, Status::unreachable_constraints,
@@ -768,10 +767,7 @@ private:
     return report;
   }
 
-  std::int64_t flips(const Positions<D>& x) const
-  {
-    return internal::count_flips<Kernel, Tag>(m_domain, m_objective.schedule(), x);
-  }
+  std::int64_t flips(const Positions<D>& x) const { return internal::count_flips<Kernel, Tag>(m_domain, m_objective.schedule(), x); }
 
   // Relative stiffness on the diagonal for the rotations, which are in the null space of some preconditioners.
   static constexpr double BASE_SHIFT = 1e-9;

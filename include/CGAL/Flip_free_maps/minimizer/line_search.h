@@ -49,8 +49,7 @@ constexpr double LARGEST_FIRST_STEP = 1e3;
 /// \param extend whether steps beyond the full one are tried
 /// \param options `armijo`, `step_fraction`, `begin_with_largest_step` and `max_line_search_steps` are used
 template <typename Energy>
-Line_search_result line_search(Energy&& energy, double energy_0, double slope, double largest_step, bool extend,
-                               const Map_options& options)
+Line_search_result line_search(Energy&& energy, double energy_0, double slope, double largest_step, bool extend, const Map_options& options)
 {
   Line_search_result result;
   const double bound = options.step_fraction * largest_step;

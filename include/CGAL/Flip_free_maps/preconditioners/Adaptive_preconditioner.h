@@ -22,8 +22,8 @@ namespace Flip_free_maps {
 /// \cgalModels{Preconditioner}
 struct Adaptive_preconditioner
 {
-  using Category = Varying_matrix_tag; ///< depends on the current map
-  static constexpr bool is_second_order = true; ///< full steps are natural
+  using Category = Varying_matrix_tag;             ///< depends on the current map
+  static constexpr bool is_second_order = true;    ///< full steps are natural
   static const char* name() { return "adaptive"; } ///< "adaptive"
 
   Slim_newton slim_newton;   ///< used in general

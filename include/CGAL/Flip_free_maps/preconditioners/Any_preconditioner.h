@@ -26,10 +26,12 @@ namespace internal {
 
 // Whether a preconditioner works in the plane only.
 template <typename Preconditioner>
-struct Is_planar : std::false_type {};
+struct Is_planar : std::false_type
+{};
 
 template <bool gather_terms>
-struct Is_planar<Composite_majorization<gather_terms>> : std::true_type {};
+struct Is_planar<Composite_majorization<gather_terms>> : std::true_type
+{};
 
 } // namespace internal
 
@@ -41,7 +43,7 @@ struct Is_planar<Composite_majorization<gather_terms>> : std::true_type {};
 class Any_preconditioner
 {
 public:
-  using Category = Varying_matrix_tag; ///< see `is_constant()`
+  using Category = Varying_matrix_tag;        ///< see `is_constant()`
   static const char* name() { return "any"; } ///< "any"; see `preconditioner_name()`
 
   bool is_second_order;         ///< whether full steps of the preconditioner that is held are natural
@@ -61,7 +63,8 @@ public:
 
   /// Copies what is held.
   Any_preconditioner(const Any_preconditioner& other)
-    : is_second_order(other.is_second_order), clamps_element_matrices(other.clamps_element_matrices),
+    : is_second_order(other.is_second_order),
+      clamps_element_matrices(other.clamps_element_matrices),
       m_preconditioner(other.m_preconditioner->clone())
   {}
 

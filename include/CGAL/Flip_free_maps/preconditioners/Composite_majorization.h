@@ -35,8 +35,8 @@ namespace Flip_free_maps {
 template <bool gather_terms = true>
 struct Composite_majorization
 {
-  using Category = Varying_matrix_tag; ///< depends on the current map
-  static constexpr bool is_second_order = true; ///< full steps are natural
+  using Category = Varying_matrix_tag;                                        ///< depends on the current map
+  static constexpr bool is_second_order = true;                               ///< full steps are natural
   static const char* name() { return gather_terms ? "cm" : "cm_ungathered"; } ///< "cm" or "cm_ungathered"
 
   /// Writes the form for one element.
@@ -44,8 +44,9 @@ struct Composite_majorization
   void form(const Element_state<D>& state, const Energy& energy, Increment_form<D>& form) const
   {
     static_assert(D == 2, "composite majorization is a method of the plane");
-    static_assert(internal::Has_convex_hessian<Energy, D>::value || internal::Has_composite_form<Energy, D>::value,
-                  "composite majorization needs an energy with a convex part, a model of ConvexConcaveEnergy, or one with composite_form()");
+    static_assert(
+      internal::Has_convex_hessian<Energy, D>::value || internal::Has_composite_form<Energy, D>::value,
+      "composite majorization needs an energy with a convex part, a model of ConvexConcaveEnergy, or one with composite_form()");
     if constexpr(internal::Has_composite_form<Energy, D>::value)
       if(energy.template composite_form<D>(state, form))
         return;

@@ -33,9 +33,9 @@ struct Hybrid
                   !internal::Clamps_element_matrices<First>::value && !internal::Clamps_element_matrices<Second>::value,
                 "Hybrid passes on neither retreats nor clamps");
 
-  using Category = Varying_matrix_tag; ///< depends on the current map
+  using Category = Varying_matrix_tag;                                                       ///< depends on the current map
   static constexpr bool is_second_order = First::is_second_order && Second::is_second_order; ///< whether full steps are natural
-  static const char* name() { return "hybrid"; } ///< "hybrid"
+  static const char* name() { return "hybrid"; }                                             ///< "hybrid"
 
   First first;                    ///< used far from the optimum
   Second second;                  ///< used near it

@@ -38,12 +38,14 @@ struct Iteration_state
 namespace internal {
 
 template <typename Preconditioner, typename = void>
-struct Has_begin_iteration : std::false_type {};
+struct Has_begin_iteration : std::false_type
+{};
 
 template <typename Preconditioner>
-struct Has_begin_iteration<Preconditioner, std::void_t<decltype(std::declval<Preconditioner&>().begin_iteration(
-                                             std::declval<const Iteration_state&>()))>>
-  : std::true_type {};
+struct Has_begin_iteration<Preconditioner,
+                           std::void_t<decltype(std::declval<Preconditioner&>().begin_iteration(std::declval<const Iteration_state&>()))>>
+  : std::true_type
+{};
 
 template <typename Preconditioner>
 void begin_iteration(Preconditioner& preconditioner, const Iteration_state& state)
@@ -53,10 +55,12 @@ void begin_iteration(Preconditioner& preconditioner, const Iteration_state& stat
 }
 
 template <typename Preconditioner, typename = void>
-struct Has_retreat : std::false_type {};
+struct Has_retreat : std::false_type
+{};
 
 template <typename Preconditioner>
-struct Has_retreat<Preconditioner, std::void_t<decltype(std::declval<Preconditioner&>().retreat())>> : std::true_type {};
+struct Has_retreat<Preconditioner, std::void_t<decltype(std::declval<Preconditioner&>().retreat())>> : std::true_type
+{};
 
 // Whether the preconditioner has a more careful form for iterations in which its matrix is indefinite,
 // or gives no direction of descent.
@@ -77,11 +81,12 @@ void retreat(Preconditioner& preconditioner)
 }
 
 template <typename Preconditioner, typename = void>
-struct Has_is_constant : std::false_type {};
+struct Has_is_constant : std::false_type
+{};
 
 template <typename Preconditioner>
-struct Has_is_constant<Preconditioner, std::void_t<decltype(std::declval<const Preconditioner&>().is_constant())>>
-  : std::true_type {};
+struct Has_is_constant<Preconditioner, std::void_t<decltype(std::declval<const Preconditioner&>().is_constant())>> : std::true_type
+{};
 
 // Whether the matrix is the same in every iteration.
 template <typename Preconditioner>
@@ -94,11 +99,12 @@ bool is_constant(const Preconditioner& preconditioner)
 }
 
 template <typename Preconditioner, typename = void>
-struct Clamps_element_matrices : std::false_type {};
+struct Clamps_element_matrices : std::false_type
+{};
 
 template <typename Preconditioner>
-struct Clamps_element_matrices<Preconditioner, std::void_t<decltype(Preconditioner::clamps_element_matrices)>>
-  : std::true_type {};
+struct Clamps_element_matrices<Preconditioner, std::void_t<decltype(Preconditioner::clamps_element_matrices)>> : std::true_type
+{};
 
 // Whether each element's matrix on its vertices' displacements is to be projected to the positive semidefinite ones.
 template <typename Preconditioner>

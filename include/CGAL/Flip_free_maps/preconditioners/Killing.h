@@ -19,11 +19,11 @@ namespace Flip_free_maps {
 /// Which measure weights an element of the Killing operator.
 enum class Killing_weight
 {
-  rest_measure, ///< the element of the rest shape (Claici et al., section 4.2.1: "we integrate over the 3D surface")
+  rest_measure,  ///< the element of the rest shape (Claici et al., section 4.2.1: "we integrate over the 3D surface")
   image_measure, ///< the element of the current image: the Killing operator proper, equations (5) and (10)
-  stiffness ///< that of the rest shape, times how much stiffer against stretching the energy is there than at an isometry,
-            ///< if it is stiffer.
-            ///< For steep energies, such as exponential ones; for others the paper's weights need fewer iterations
+  stiffness      ///< that of the rest shape, times how much stiffer against stretching the energy is there than at an isometry,
+                 ///< if it is stiffer.
+                 ///< For steep energies, such as exponential ones; for others the paper's weights need fewer iterations
 };
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
@@ -36,8 +36,8 @@ enum class Killing_weight
 /// \cgalModels{Preconditioner}
 struct Killing
 {
-  using Category = Varying_matrix_tag; ///< depends on the current map
-  static constexpr bool is_second_order = true; ///< full steps are natural
+  using Category = Varying_matrix_tag;            ///< depends on the current map
+  static constexpr bool is_second_order = true;   ///< full steps are natural
   static const char* name() { return "killing"; } ///< "killing"
 
   Killing_weight weight = Killing_weight::rest_measure; ///< measure of integration

@@ -21,8 +21,8 @@ namespace Flip_free_maps {
 /// \cgalModels{Preconditioner}
 struct Laplacian
 {
-  using Category = Constant_matrix_tag; ///< factorized once
-  static constexpr bool is_second_order = false; ///< full steps are not natural
+  using Category = Constant_matrix_tag;             ///< factorized once
+  static constexpr bool is_second_order = false;    ///< full steps are not natural
   static const char* name() { return "laplacian"; } ///< "laplacian"
 
   /// Writes the form for one element.

@@ -22,8 +22,8 @@ namespace Flip_free_maps {
 /// \cgalModels{Preconditioner}
 struct Newton
 {
-  using Category = Varying_matrix_tag; ///< depends on the current map
-  static constexpr bool is_second_order = true; ///< full steps are natural
+  using Category = Varying_matrix_tag;                 ///< depends on the current map
+  static constexpr bool is_second_order = true;        ///< full steps are natural
   static const char* name() { return "plain_newton"; } ///< "plain_newton"
 
   /// Tries the Hessian itself first.
@@ -44,9 +44,8 @@ struct Newton
       return;
     }
     form.stretch = state.hessian;
-    internal::for_each_pair<D>([&](int p, int i, int j) {
-      form.pairs[p].set_modes(internal::symmetric_mode(state, i, j), internal::twist_mode(state, i, j));
-    });
+    internal::for_each_pair<D>(
+      [&](int p, int i, int j) { form.pairs[p].set_modes(internal::symmetric_mode(state, i, j), internal::twist_mode(state, i, j)); });
   }
 
 private:

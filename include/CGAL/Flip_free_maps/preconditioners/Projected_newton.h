@@ -41,8 +41,8 @@ enum class Eigenvalue_filter
 /// \cgalModels{Preconditioner}
 struct Projected_newton
 {
-  using Category = Varying_matrix_tag; ///< depends on the current map
-  static constexpr bool is_second_order = true; ///< full steps are natural
+  using Category = Varying_matrix_tag;           ///< depends on the current map
+  static constexpr bool is_second_order = true;  ///< full steps are natural
   static const char* name() { return "newton"; } ///< "newton"
 
   Eigenvalue_filter filter = Eigenvalue_filter::clamp; ///< of negative eigenvalues

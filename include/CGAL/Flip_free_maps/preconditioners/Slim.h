@@ -34,9 +34,9 @@ namespace Flip_free_maps {
 /// \cgalModels{Preconditioner}
 struct Slim
 {
-  using Category = Varying_matrix_tag; ///< depends on the current map
+  using Category = Varying_matrix_tag;          ///< depends on the current map
   static constexpr bool is_second_order = true; ///< full steps are natural
-  static const char* name() { return "slim"; } ///< "slim"
+  static const char* name() { return "slim"; }  ///< "slim"
 
   /// Writes the form for one element.
   template <int D, typename Energy>
@@ -48,8 +48,8 @@ struct Slim
     for(int i = 0; i < D; ++i) {
       const double difference = state.s[i] - target[i];
       // Close to the target the quotient loses digits to rounding.
-      const double weight = std::abs(difference) > 1e-7 * target[i] ? std::abs(state.gradient[i] / difference)
-                                                                    : state.hessian.row(i).cwiseAbs().sum();
+      const double weight =
+        std::abs(difference) > 1e-7 * target[i] ? std::abs(state.gradient[i] / difference) : state.hessian.row(i).cwiseAbs().sum();
       w[i] = (std::min)((std::max)(smallest, weight), LARGEST_WEIGHT);
     }
     form.stretch = w.asDiagonal();

@@ -33,8 +33,8 @@ namespace Flip_free_maps {
 /// \cgalModels{Preconditioner}
 struct Slim_newton
 {
-  using Category = Varying_matrix_tag; ///< depends on the current map
-  static constexpr bool is_second_order = true; ///< full steps are natural
+  using Category = Varying_matrix_tag;                ///< depends on the current map
+  static constexpr bool is_second_order = true;       ///< full steps are natural
   static const char* name() { return "slim_newton"; } ///< "slim_newton"
 
   double threshold = 20;          ///< symmetric Dirichlet energy of an element, in units of an isometry's
@@ -48,8 +48,7 @@ struct Slim_newton
     if(state.iteration == 0)
       m_is_distorted_throughout = false;
     else if(is_power_of_two)
-      m_is_distorted_throughout =
-        state.relative_decrease < smallest_decrease && state.distorted_fraction(threshold) > largest_fraction;
+      m_is_distorted_throughout = state.relative_decrease < smallest_decrease && state.distorted_fraction(threshold) > largest_fraction;
   }
 
   /// Writes the form for one element.

@@ -22,9 +22,9 @@ namespace Flip_free_maps {
 /// \cgalModels{Preconditioner}
 struct Vertex_space_newton
 {
-  using Category = Varying_matrix_tag; ///< depends on the current map
-  static constexpr bool is_second_order = true; ///< full steps are natural
-  static constexpr bool clamps_element_matrices = true; ///< the form itself may be indefinite
+  using Category = Varying_matrix_tag;                        ///< depends on the current map
+  static constexpr bool is_second_order = true;               ///< full steps are natural
+  static constexpr bool clamps_element_matrices = true;       ///< the form itself may be indefinite
   static const char* name() { return "vertex_space_newton"; } ///< "vertex_space_newton"
 
   /// Writes the form for one element, before its matrix is clamped: the Hessian.

@@ -164,8 +164,8 @@ public:
     }
     summary.flips = flips;
     if(flips != 0) {
-      summary.message = std::string(is_late ? "the limit of time is reached, and " : "") + std::to_string(flips) +
-                        " elements are still flipped";
+      summary.message =
+        std::string(is_late ? "the limit of time is reached, and " : "") + std::to_string(flips) + " elements are still flipped";
       return false;
     }
     summary.status = Status::success;
@@ -218,8 +218,7 @@ private:
     const double g_d = w * (2 * d * c - (d * d + 1) * s) / (c * c);
     gradient = 2 * power * J + (f_d + g_d) * cof;
     // psi(J, d) = n c^-a + w (d^2 + 1) / c with dc/dd = s constant
-    const double psi_dd = a * (a + 1) * n * power * s * s / (c * c) +
-                          w * 2 * ((c - d * s) * (c - d * s) + s * s) / (c * c * c);
+    const double psi_dd = a * (a + 1) * n * power * s * s / (c * c) + w * 2 * ((c - d * s) * (c - d * s) + s * s) / (c * c * c);
     const double psi_jd = -2 * a * power * s / c;
     using Flat = Eigen::Matrix<double, D * D, 1>;
     const Flat j = Eigen::Map<const Flat>(J.data()), k = Eigen::Map<const Flat>(cof.data());

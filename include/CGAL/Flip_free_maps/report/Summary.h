@@ -141,12 +141,11 @@ inline std::ostream& operator<<(std::ostream& os, const Summary& summary)
   if(summary.elements < 0)
     return os;
   os << "  " << summary.vertices << " vertices, " << summary.elements << " elements, " << summary.flips << " flipped\n"
-     << "  energy " << summary.energy_initial << " -> " << summary.energy << ", singular values ["
-     << summary.min_singular_value << ", " << summary.max_singular_value << "]\n"
-     << "  " << summary.iterations << " iterations, " << summary.factorizations << " factorizations, "
-     << summary.seconds.total << " s\n"
-     << "  start: " << summary.start << "; preconditioner: " << summary.preconditioner
-     << "; linear solver: " << summary.linear_solver << '\n';
+     << "  energy " << summary.energy_initial << " -> " << summary.energy << ", singular values [" << summary.min_singular_value << ", "
+     << summary.max_singular_value << "]\n"
+     << "  " << summary.iterations << " iterations, " << summary.factorizations << " factorizations, " << summary.seconds.total << " s\n"
+     << "  start: " << summary.start << "; preconditioner: " << summary.preconditioner << "; linear solver: " << summary.linear_solver
+     << '\n';
   return os;
 }
 

@@ -54,8 +54,7 @@ struct Seam
 ///
 /// The pairs (a, b) are unknowns, too: they are the positions of additional vertices without elements, `first_transformation`
 /// plus the number of the seam, which may be fixed like others to prescribe T. The matrix is that of Gauss and Newton.
-class Seam_constraints
-  : public Objective_term<2>
+class Seam_constraints : public Objective_term<2>
 {
 public:
   double weight = 0.1;            ///< of the similarities, not negative
@@ -63,8 +62,7 @@ public:
 
   /// \param seams the seams
   /// \param first_transformation the vertex of which the position is (a, b) of the first seam; those of the others follow
-  Seam_constraints(std::vector<Seam> seams, std::int32_t first_transformation)
-    : m_seams(std::move(seams)), m_first(first_transformation)
+  Seam_constraints(std::vector<Seam> seams, std::int32_t first_transformation) : m_seams(std::move(seams)), m_first(first_transformation)
   {
     m_multipliers.resize(m_seams.size());
     for(std::size_t s = 0; s < m_seams.size(); ++s) {
@@ -206,16 +204,12 @@ private:
     return map;
   }
 
-  static internal::Vector<2> quarter_turn_residual(const internal::Vector<2>& p)
-  {
-    return {p.squaredNorm() - 1, p[0] * p[1]};
-  }
+  static internal::Vector<2> quarter_turn_residual(const internal::Vector<2>& p) { return {p.squaredNorm() - 1, p[0] * p[1]}; }
 
   internal::Vector<2> residual_of(const Positions<2>& x, std::size_t s, std::size_t k) const
   {
     const auto& edge = m_seams[s].edges[k];
-    return x.col(edge[3]) - x.col(edge[2]) -
-           transformation_matrix(x.col(transformation(s))) * (x.col(edge[1]) - x.col(edge[0]));
+    return x.col(edge[3]) - x.col(edge[2]) - transformation_matrix(x.col(transformation(s))) * (x.col(edge[1]) - x.col(edge[0]));
   }
 
   double weight_of(std::size_t s, std::size_t k) const { return weight / (m_seams[s].lengths[k] * m_length); }

@@ -51,8 +51,8 @@ std::vector<Seam> find_seams(const SeamMesh& mesh, const Face_graph_domain<SeamM
   const auto number_of_source = [&](Halfedge h) { return graph.number_of(source(Seam_halfedge(h), mesh)); };
   const auto is_inner_seam = [&](Halfedge h) {
     const Halfedge o = opposite(h, uncut);
-    return mesh.has_on_seam(edge(h, uncut)) && !CGAL::is_border(h, uncut) && !CGAL::is_border(o, uncut) &&
-           number_of_target(h) >= 0 && number_of_target(o) >= 0;
+    return mesh.has_on_seam(edge(h, uncut)) && !CGAL::is_border(h, uncut) && !CGAL::is_border(o, uncut) && number_of_target(h) >= 0 &&
+           number_of_target(o) >= 0;
   };
   std::vector<Halfedge> edges_of_seams;
   std::unordered_map<Vertex, std::vector<Halfedge>> leaving;

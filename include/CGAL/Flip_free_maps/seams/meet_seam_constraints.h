@@ -37,13 +37,13 @@ enum class Seam_relation
 struct Seam_options
 {
   Seam_relation relation = Seam_relation::quarter_turn; ///< for all seams whose rotation is not prescribed
-  double tolerance = 1e-8;      ///< largest residual of a seam's edge, over the length of the seam
-  double first_weight = 0.1;    ///< of the similarities in the first run
-  double first_quarter_turn_weight = 1e-5; ///< of the quarter turns in their first run
-  double factor = 10;           ///< by which weights are raised, greater than 1
-  double largest_weight = 1e8;  ///< at which to give up
-  double cone_curvature = 0.5;  ///< radians by which the angles around a vertex differ from 2 pi where a seam ends,
-                                ///< see `find_seams()`
+  double tolerance = 1e-8;                              ///< largest residual of a seam's edge, over the length of the seam
+  double first_weight = 0.1;                            ///< of the similarities in the first run
+  double first_quarter_turn_weight = 1e-5;              ///< of the quarter turns in their first run
+  double factor = 10;                                   ///< by which weights are raised, greater than 1
+  double largest_weight = 1e8;                          ///< at which to give up
+  double cone_curvature = 0.5;                          ///< radians by which the angles around a vertex differ from 2 pi where a seam ends,
+                                                        ///< see `find_seams()`
 
   /// Checks the ranges; when one is wrong, says so in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
@@ -57,8 +57,7 @@ struct Seam_options
 
 /// \ingroup PkgFlipFreeMapsSeams
 /// The account of a map with constrained seams.
-struct Seam_summary
-  : public Summary
+struct Seam_summary : public Summary
 {
   double residual = -1; ///< the greatest residual of a seam's edge, over the length of the seam
   /// For each seam the (a, b) of T = [a b; -b a], which takes its left side to its right one; a rotation by t has (cos t,

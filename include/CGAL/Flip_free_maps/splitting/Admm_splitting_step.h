@@ -95,10 +95,7 @@ public:
   }
 
   /// The dual variable after the step: L plus the residual J - R P.
-  static void update_dual(Element& element)
-  {
-    element.dual += element.jacobian - element.rotation * element.stretch;
-  }
+  static void update_dual(Element& element) { element.dual += element.jacobian - element.rotation * element.stretch; }
 
   /// All steps of one element after the positions have been solved for: rotation, stretch, dual variable; on request also the
   /// penalty. The errors are added to `errors`. The penalty of a flipped element rises whatever its errors are: there J = R P
@@ -223,8 +220,8 @@ private:
       return false;
     double q0 = mean, q1 = mean, q2 = mean;
     if(radius > 1e-150) {
-      const double determinant = a * (b * d - Q(2, 1) * Q(2, 1)) - Q(1, 0) * (Q(1, 0) * d - Q(2, 1) * Q(2, 0)) +
-                                 Q(2, 0) * (Q(1, 0) * Q(2, 1) - b * Q(2, 0));
+      const double determinant =
+        a * (b * d - Q(2, 1) * Q(2, 1)) - Q(1, 0) * (Q(1, 0) * d - Q(2, 1) * Q(2, 0)) + Q(2, 0) * (Q(1, 0) * Q(2, 1) - b * Q(2, 0));
       const double r = 0.5 * determinant / (radius * radius * radius);
       const double angle = std::acos((std::max)(-1., (std::min)(1., r))) / 3;
       const double cosine = std::cos(angle), sine = std::sqrt((std::max)(0., 1 - cosine * cosine));

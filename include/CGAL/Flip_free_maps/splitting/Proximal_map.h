@@ -31,19 +31,23 @@ namespace internal {
 
 // Whether an energy brings its own `proximal()`.
 template <typename Energy, int D, typename = void>
-struct Has_proximal : std::false_type {};
+struct Has_proximal : std::false_type
+{};
 
 template <typename Energy, int D>
-struct Has_proximal<Energy, D, std::void_t<decltype(std::declval<const Energy&>().template proximal<D>(
-                                 std::declval<const Vector<D>&>(), 0.))>>
-  : std::true_type {};
+struct Has_proximal<Energy, D,
+                    std::void_t<decltype(std::declval<const Energy&>().template proximal<D>(std::declval<const Vector<D>&>(), 0.))>>
+  : std::true_type
+{};
 
 // Whether an energy is chosen at run time.
 template <typename Energy, typename = void>
-struct Holds_energy : std::false_type {};
+struct Holds_energy : std::false_type
+{};
 
 template <typename Energy>
-struct Holds_energy<Energy, std::void_t<decltype(std::declval<const Energy&>().energy_name())>> : std::true_type {};
+struct Holds_energy<Energy, std::void_t<decltype(std::declval<const Energy&>().energy_name())>> : std::true_type
+{};
 
 // The positive root of a p^4 - q p^3 - k = 0 for a, k > 0. Newton's method decreases monotonically from an upper bound, since the
 // polynomial is increasing and convex above the root; it ends where rounding stops it.
@@ -67,8 +71,7 @@ inline double positive_root(double a, double q, double k)
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `Energy` is a model of `ProximalEnergy` for maps of dimension `D`.
 template <typename Energy, int D>
-struct ProximalEnergyConcept
-  : DistortionEnergyConcept<Energy, D>
+struct ProximalEnergyConcept : DistortionEnergyConcept<Energy, D>
 {
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ProximalEnergyConcept)
@@ -102,8 +105,7 @@ struct SplittingStepConcept
 private:
   using Matrix = internal::Matrix<D>;
 
-  static void requirements(const Energy& energy, const Splitting_options& options, double measure, bool yes,
-                           Splitting_errors& errors)
+  static void requirements(const Energy& energy, const Splitting_options& options, double measure, bool yes, Splitting_errors& errors)
   {
     const std::string name = Step::name();
     const Step step(energy, options);

@@ -17,12 +17,12 @@ namespace Flip_free_maps {
 /// Squares of the errors of elements and of what they are compared with, weighted by the elements' measures and summed.
 struct Splitting_errors
 {
-  double primal = 0;         ///< |J - R P|^2
-  double dual = 0;           ///< |mu / A (J - previous J)|^2
-  double primal_scale = 0;   ///< |J|^2
-  double dual_scale = 0;     ///< |mu / A L|^2
-  std::int64_t flips = 0;    ///< elements whose Jacobian has no positive determinant in floating point
-  std::int64_t adapted = 0;  ///< elements whose penalty changed
+  double primal = 0;        ///< |J - R P|^2
+  double dual = 0;          ///< |mu / A (J - previous J)|^2
+  double primal_scale = 0;  ///< |J|^2
+  double dual_scale = 0;    ///< |mu / A L|^2
+  std::int64_t flips = 0;   ///< elements whose Jacobian has no positive determinant in floating point
+  std::int64_t adapted = 0; ///< elements whose penalty changed
 
   /// Adds the sums over other elements.
   Splitting_errors& operator+=(const Splitting_errors& other)

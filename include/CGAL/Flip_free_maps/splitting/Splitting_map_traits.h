@@ -36,8 +36,7 @@ namespace Flip_free_maps {
 ///
 /// \cgalModels{MapTraits}
 template <typename BaseTraits = Flip_free_map_traits<CGAL::Default, Symmetric_gradient>>
-class Splitting_map_traits
-  : public BaseTraits
+class Splitting_map_traits : public BaseTraits
 {
 public:
   /// The polish.
@@ -57,8 +56,7 @@ public:
 /// \ingroup PkgFlipFreeMapsSplitting
 /// The minimizer of `Splitting_map_traits` is a `Splitting_minimizer`.
 template <int D, typename BaseTraits>
-class Map_minimizer<D, Splitting_map_traits<BaseTraits>>
-  : public Splitting_minimizer<D, BaseTraits>
+class Map_minimizer<D, Splitting_map_traits<BaseTraits>> : public Splitting_minimizer<D, BaseTraits>
 {
 public:
   /// Keeps a reference to `domain`, which must outlive this object, and copies of the others.

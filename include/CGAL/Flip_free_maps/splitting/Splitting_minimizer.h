@@ -76,8 +76,14 @@ public:
                                const Position_constraints<D>& constraints = Position_constraints<D>(),
                                const Splitting_options& options = Splitting_options(),
                                const Linear_constraints<D>& linear_constraints = Linear_constraints<D>())
-    : m_domain(domain), m_traits(traits), m_constraints(constraints), m_options(options), m_linear_constraints(linear_constraints),
-      m_step(traits.energy, options), m_linear_solver(m_traits.make_linear_solver()), m_solver(m_linear_solver)
+    : m_domain(domain),
+      m_traits(traits),
+      m_constraints(constraints),
+      m_options(options),
+      m_linear_constraints(linear_constraints),
+      m_step(traits.energy, options),
+      m_linear_solver(m_traits.make_linear_solver()),
+      m_solver(m_linear_solver)
   {
     m_schedule.build(domain.elements, domain.number_of_vertices);
     for(std::int64_t begin = 0; begin < domain.number_of_elements(); begin += CHUNK_SIZE)
@@ -307,7 +313,8 @@ private:
           break;
         }
         is_factorized = true;
-        if(!positions.move(m_solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, x)) {
+        if(!positions.move(
+             m_solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, x)) {
           finish(summary, Status::linear_solver_failed, "the linear solver found no positions");
           break;
         }
@@ -361,8 +368,7 @@ private:
     if(!summary.is_valid())
       return;
     if(summary.flips != 0) {
-      finish(summary, Status::flips_remain,
-             summary.message + ", and " + std::to_string(summary.flips) + " elements are still flipped");
+      finish(summary, Status::flips_remain, summary.message + ", and " + std::to_string(summary.flips) + " elements are still flipped");
       return;
     }
     summary.energy = energy(x);
@@ -460,8 +466,8 @@ private:
   typename Traits::Linear_solver m_linear_solver;
   internal::Robust_solver<typename Traits::Linear_solver> m_solver;
   std::unique_ptr<Position_solver> m_positions; // made in the first run, when constraints have been checked
-  bool m_is_warm = false;       // elements are as a run with a valid map left them
-  bool m_is_factorized = false; // with their penalties
+  bool m_is_warm = false;                       // elements are as a run with a valid map left them
+  bool m_is_factorized = false;                 // with their penalties
   bool m_is_inert = false;
   double m_primal_tolerance = 0;
   double m_dual_tolerance = 0;

@@ -37,19 +37,16 @@ struct Cairo_deleter
   void operator()(cairo_pattern_t* pattern) const { cairo_pattern_destroy(pattern); }
 };
 
-typedef std::unique_ptr<cairo_t, Cairo_deleter>         Cairo_context;
+typedef std::unique_ptr<cairo_t, Cairo_deleter> Cairo_context;
 typedef std::unique_ptr<cairo_surface_t, Cairo_deleter> Cairo_surface;
 typedef std::unique_ptr<cairo_pattern_t, Cairo_deleter> Cairo_pattern;
 
 // Receives the bytes of a picture; no exception may pass through the C library.
 inline cairo_status_t append_to_string(void* target, const unsigned char* data, unsigned int length)
 {
-  try
-  {
+  try {
     static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(data), length);
-  }
-  catch(const std::bad_alloc&)
-  {
+  } catch(const std::bad_alloc&) {
     return CAIRO_STATUS_NO_MEMORY;
   }
   return CAIRO_STATUS_SUCCESS;
@@ -57,10 +54,7 @@ inline cairo_status_t append_to_string(void* target, const unsigned char* data, 
 
 typedef std::array<double, 3> Rgb;
 
-inline void set_color(cairo_t* context, const Rgb& color)
-{
-  cairo_set_source_rgb(context, color[0], color[1], color[2]);
-}
+inline void set_color(cairo_t* context, const Rgb& color) { cairo_set_source_rgb(context, color[0], color[1], color[2]); }
 
 // Pale yellow at 0, over green and blue, to dark violet blue at 1. Lightness falls linearly in the Oklab color space
 // (B. Ottosson, "A perceptual color space for image processing", 2020), so that equal steps look equal, also in print.
@@ -77,12 +71,10 @@ inline Rgb distortion_color(double t)
   const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
   const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
   const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
-  const Rgb linear = {{ 4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
-                       -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+  const Rgb linear = {{4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s, -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
                        -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s}};
   Rgb color;
-  for(int i = 0; i < 3; ++i)
-  {
+  for(int i = 0; i < 3; ++i) {
     const double c = (std::min)(1., (std::max)(0., linear[i]));
     color[i] = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1. / 2.4) - 0.055;
   }
@@ -94,32 +86,25 @@ inline Rgb distortion_color(double t)
 inline std::string printable_text(const std::string& text)
 {
   std::string result;
-  for(std::size_t i = 0; i < text.size(); )
-  {
+  for(std::size_t i = 0; i < text.size();) {
     const unsigned char c = static_cast<unsigned char>(text[i]);
     const std::size_t length = c < 0x80 ? 1 : c < 0xC2 ? 0 : c < 0xE0 ? 2 : c < 0xF0 ? 3 : c < 0xF5 ? 4 : 0;
     bool is_valid = length > 0 && i + length <= text.size();
     std::uint32_t code = length < 2 ? c : c & (0x7Fu >> length);
-    for(std::size_t k = 1; is_valid && k < length; ++k)
-    {
+    for(std::size_t k = 1; is_valid && k < length; ++k) {
       const unsigned char next = static_cast<unsigned char>(text[i + k]);
       is_valid = (next & 0xC0) == 0x80;
       code = (code << 6) | (next & 0x3Fu);
     }
     is_valid = is_valid && !(length == 3 && (code < 0x800 || (code >= 0xD800 && code < 0xE000))) &&
                !(length == 4 && (code < 0x10000 || code > 0x10FFFF));
-    if(!is_valid)
-    {
+    if(!is_valid) {
       result += '?';
       ++i;
-    }
-    else if(code < 0x20 || code == 0x7F)
-    {
+    } else if(code < 0x20 || code == 0x7F) {
       result += ' ';
       ++i;
-    }
-    else
-    {
+    } else {
       result.append(text, i, length);
       i += length;
     }
@@ -144,8 +129,7 @@ inline std::string number_text(double value)
 inline std::string count_text(std::size_t count)
 {
   std::string text = std::to_string(count);
-  for(std::size_t i = text.size(); i > 3; )
-  {
+  for(std::size_t i = text.size(); i > 3;) {
     i -= 3;
     text.insert(i, 1, ' ');
   }
@@ -157,23 +141,18 @@ inline std::string count_text(std::size_t count)
 inline std::vector<double> tick_values(double upper)
 {
   std::vector<double> ticks;
-  if(upper < 4.)
-  {
+  if(upper < 4.) {
     const double rough = (upper - 1.) / 8.;
     const double power = std::pow(10., std::floor(std::log10(rough)));
     const double ratio = rough / power;
     const double step = power * (ratio <= 1. ? 1. : ratio <= 2. ? 2. : ratio <= 5. ? 5. : 10.);
     for(int i = 0; 1. + i * step <= upper; ++i)
       ticks.push_back(1. + i * step);
-  }
-  else
-  {
+  } else {
     const double decades = std::log10(upper);
     const int stride = (std::max)(1, static_cast<int>(std::ceil(decades / 8.)));
-    for(int d = 0; d <= decades; d += stride)
-    {
-      for(const double factor : {1., 2., 5.})
-      {
+    for(int d = 0; d <= decades; d += stride) {
+      for(const double factor : {1., 2., 5.}) {
         const double value = factor * std::pow(10., d);
         if(value <= upper && (factor == 1. || decades <= 4.))
           ticks.push_back(value);
@@ -191,7 +170,7 @@ class Layout_painter
 {
 public:
   typedef std::array<double, 2> Point;
-  typedef std::array<int, 3>    Triangle;
+  typedef std::array<int, 3> Triangle;
 
   // The three arrays must outlive the painter.
   Layout_painter(const std::vector<Point>& uv, const std::vector<Triangle>& triangles, const std::vector<double>& distortion)
@@ -209,14 +188,11 @@ public:
     Point upper;
     m_lower.fill((std::numeric_limits<double>::max)());
     upper.fill(std::numeric_limits<double>::lowest());
-    for(std::size_t i = 0; i < m_triangles.size(); ++i)
-    {
-      for(const int index : m_triangles[i])
-      {
+    for(std::size_t i = 0; i < m_triangles.size(); ++i) {
+      for(const int index : m_triangles[i]) {
         if(index < 0 || std::size_t(index) >= m_uv.size())
           return "triangle " + std::to_string(i) + " has an index out of range";
-        for(int c = 0; c < 2; ++c)
-        {
+        for(int c = 0; c < 2; ++c) {
           if(!std::isfinite(m_uv[index][c]))
             return "triangle " + std::to_string(i) + " has a coordinate that is not finite";
           m_lower[c] = (std::min)(m_lower[c], m_uv[index][c]);
@@ -287,8 +263,7 @@ public:
     const std::size_t max_vector_items = 100000;
     const bool is_border_in_raster = use_raster && m_border.size() > max_vector_items;
     const bool are_flips_in_raster = use_raster && m_flipped.size() > max_vector_items;
-    if(use_raster)
-    {
+    if(use_raster) {
       const int factor = (std::max)(m_plot_width, m_plot_height) > 8000. ? 1 : 2;
       const double left = std::floor(m_plot_x - m_margin / 2.);
       const double top = std::floor(m_plot_y - m_margin / 2.);
@@ -315,8 +290,7 @@ public:
       cairo_pattern_set_filter(cairo_get_source(context), CAIRO_FILTER_GOOD);
       cairo_paint(context);
       cairo_restore(context);
-    }
-    else
+    } else
       draw_fills(context, true);
     if(m_triangles.size() <= max_triangles_with_lines)
       draw_mesh_lines(context);
@@ -338,11 +312,9 @@ private:
     typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 Point_2;
     m_flipped.clear();
     m_number_of_degenerate_triangles = 0;
-    for(std::size_t i = 0; i < m_triangles.size(); ++i)
-    {
+    for(std::size_t i = 0; i < m_triangles.size(); ++i) {
       Point_2 p[3];
-      for(int k = 0; k < 3; ++k)
-      {
+      for(int k = 0; k < 3; ++k) {
         const Point& uv = m_uv[m_triangles[i][k]];
         p[k] = Point_2(uv[0], uv[1]);
       }
@@ -361,19 +333,16 @@ private:
     std::vector<double> finite;
     finite.reserve(m_distortion.size());
     m_maximum = 0.;
-    for(const double d : m_distortion)
-    {
+    for(const double d : m_distortion) {
       if(std::isfinite(d))
         finite.push_back(d);
       m_maximum = (d > m_maximum || std::isnan(d)) && !std::isnan(m_maximum) ? d : m_maximum;
     }
 
     m_upper = upper_end;
-    if(!(m_upper > 1.))
-    {
+    if(!(m_upper > 1.)) {
       m_upper = 1.05;
-      if(!finite.empty())
-      {
+      if(!finite.empty()) {
         const std::size_t rank = (finite.size() - 1) * 98 / 100;
         std::nth_element(finite.begin(), finite.begin() + rank, finite.end());
         m_upper = (std::max)(m_upper, finite[rank]);
@@ -382,8 +351,7 @@ private:
 
     std::array<std::size_t, COLORS + 1> begin{};
     std::vector<unsigned char> color(m_distortion.size());
-    for(std::size_t i = 0; i < m_distortion.size(); ++i)
-    {
+    for(std::size_t i = 0; i < m_distortion.size(); ++i) {
       const double d = m_distortion[i];
       const double t = !(d < m_upper) ? 1. : d <= 1. ? 0. : std::log(d) / std::log(m_upper);
       color[i] = static_cast<unsigned char>(std::lround(t * (COLORS - 1)));
@@ -407,8 +375,7 @@ private:
     std::sort(edges.begin(), edges.end());
     m_border.clear();
     m_interior.clear();
-    for(std::size_t i = 0; i < edges.size(); )
-    {
+    for(std::size_t i = 0; i < edges.size();) {
       std::size_t j = i + 1;
       while(j < edges.size() && edges[j] == edges[i])
         ++j;
@@ -423,8 +390,7 @@ private:
     const Point& uv = m_uv[index];
     if(m_extent == 0.)
       return {{m_origin[0], m_origin[1]}};
-    return {{m_origin[0] + m_scale * ((uv[0] - m_lower[0]) / m_extent),
-             m_origin[1] - m_scale * ((uv[1] - m_lower[1]) / m_extent)}};
+    return {{m_origin[0] + m_scale * ((uv[0] - m_lower[0]) / m_extent), m_origin[1] - m_scale * ((uv[1] - m_lower[1]) / m_extent)}};
   }
 
   void add_triangle(cairo_t* context, std::size_t i) const
@@ -442,8 +408,7 @@ private:
   {
     // The cost of a stroke grows faster than the length of its path.
     const std::size_t block = 256;
-    for(std::size_t i = 0; i < edges.size(); ++i)
-    {
+    for(std::size_t i = 0; i < edges.size(); ++i) {
       const Point a = position(edges[i].first);
       const Point b = position(edges[i].second);
       cairo_move_to(context, a[0], a[1]);
@@ -458,19 +423,16 @@ private:
   {
     cairo_set_line_width(context, 0.03 * m_font_size);
     cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
-    for(int c = 0; c < COLORS; ++c)
-    {
+    for(int c = 0; c < COLORS; ++c) {
       if(m_color_begin[c] == m_color_begin[c + 1])
         continue;
       set_color(context, distortion_color(c / double(COLORS - 1)));
-      for(std::size_t i = m_color_begin[c]; i < m_color_begin[c + 1]; ++i)
-      {
+      for(std::size_t i = m_color_begin[c]; i < m_color_begin[c + 1]; ++i) {
         add_triangle(context, m_by_color[i]);
         if(!is_vector)
           cairo_fill(context);
       }
-      if(is_vector)
-      {
+      if(is_vector) {
         // A thin line of the same color covers the hairlines that a viewer leaves between antialiased neighbors.
         cairo_fill_preserve(context);
         cairo_stroke(context);
@@ -485,8 +447,7 @@ private:
     cairo_set_line_width(context, 0.08 * m_font_size);
     cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
-    for(const std::size_t i : m_flipped)
-    {
+    for(const std::size_t i : m_flipped) {
       add_triangle(context, i);
       cairo_fill_preserve(context);
       cairo_stroke(context);
@@ -497,15 +458,13 @@ private:
   void draw_mesh_lines(cairo_t* context) const
   {
     double length = 0.;
-    for(const Edge& edge : m_interior)
-    {
+    for(const Edge& edge : m_interior) {
       const Point a = position(edge.first);
       const Point b = position(edge.second);
       length += std::hypot(a[0] - b[0], a[1] - b[1]);
     }
     double area = 0.;
-    for(const Triangle& triangle : m_triangles)
-    {
+    for(const Triangle& triangle : m_triangles) {
       const Point a = position(triangle[0]);
       const Point b = position(triangle[1]);
       const Point c = position(triangle[2]);
@@ -534,14 +493,12 @@ private:
     cairo_text_extents_t extents;
     cairo_set_font_size(context, font_size);
     cairo_text_extents(context, text.c_str(), &extents);
-    if(extents.x_advance > max_width)
-    {
+    if(extents.x_advance > max_width) {
       cairo_set_font_size(context, (std::max)(0.7, max_width / extents.x_advance) * font_size);
       cairo_text_extents(context, text.c_str(), &extents);
     }
     std::string shown = text;
-    while(extents.x_advance > max_width && !text.empty())
-    {
+    while(extents.x_advance > max_width && !text.empty()) {
       do
         text.pop_back();
       while(!text.empty() && (static_cast<unsigned char>(text.back()) & 0x80) != 0 && !is_complete(text));
@@ -553,10 +510,7 @@ private:
   }
 
   // Whether the text, valid but for its end, does not end within a character.
-  static bool is_complete(const std::string& text)
-  {
-    return printable_text(text) == text;
-  }
+  static bool is_complete(const std::string& text) { return printable_text(text) == text; }
 
   void draw_title(cairo_t* context) const
   {
@@ -586,8 +540,7 @@ private:
 
     const double value_x = x + 6.2 * f;
     y = bar_bottom + 0.6 * f;
-    const auto show_line = [&](const std::string& name, const std::string& value)
-    {
+    const auto show_line = [&](const std::string& name, const std::string& value) {
       y += line_height;
       set_color(context, m_ink);
       show_text(context, x, y, f, value_x - x - 0.5 * f, name);
@@ -598,8 +551,7 @@ private:
     if(m_number_of_degenerate_triangles > 0)
       show_line("degenerate", count_text(m_number_of_degenerate_triangles));
     show_line("flipped", count_text(m_flipped.size()));
-    if(!m_flipped.empty())
-    {
+    if(!m_flipped.empty()) {
       cairo_rectangle(context, value_x - 1.2 * f, y - 0.74 * f, 0.74 * f, 0.74 * f);
       set_color(context, m_warning_color);
       cairo_fill(context);
@@ -610,8 +562,7 @@ private:
   void draw_color_bar(cairo_t* context, double x, double bar_width, double top, double bottom, double tip) const
   {
     const double f = m_font_size;
-    const auto add_outline = [&]()
-    {
+    const auto add_outline = [&]() {
       cairo_move_to(context, x, bottom);
       cairo_line_to(context, x, top);
       cairo_line_to(context, x + bar_width / 2., top - tip);
@@ -622,8 +573,7 @@ private:
 
     Cairo_pattern gradient(cairo_pattern_create_linear(0, bottom, 0, top));
     const int stops = 32;
-    for(int i = 0; i <= stops; ++i)
-    {
+    for(int i = 0; i <= stops; ++i) {
       const Rgb color = distortion_color(i / double(stops));
       cairo_pattern_add_color_stop_rgb(gradient.get(), i / double(stops), color[0], color[1], color[2]);
     }
@@ -638,8 +588,7 @@ private:
     add_outline();
     cairo_stroke(context);
 
-    const auto draw_tick = [&](double y, const std::string& text)
-    {
+    const auto draw_tick = [&](double y, const std::string& text) {
       cairo_move_to(context, x + bar_width, y);
       cairo_line_to(context, x + bar_width + 0.35 * f, y);
       cairo_stroke(context);
@@ -648,8 +597,7 @@ private:
     const double spacing = 1.5 * f;
     draw_tick(top, number_text(m_upper));
     double previous = std::numeric_limits<double>::infinity();
-    for(const double value : tick_values(m_upper))
-    {
+    for(const double value : tick_values(m_upper)) {
       const double y = bottom - (bottom - top) * std::log(value) / std::log(m_upper);
       if(y > previous - spacing || y < top + spacing)
         continue;
@@ -658,9 +606,9 @@ private:
     }
   }
 
-  const std::vector<Point>&    m_uv;
+  const std::vector<Point>& m_uv;
   const std::vector<Triangle>& m_triangles;
-  const std::vector<double>&   m_distortion;
+  const std::vector<double>& m_distortion;
 
   std::string m_title;
   std::string m_label;
@@ -670,12 +618,12 @@ private:
   // what is drawn
   Point m_lower{};
   double m_extent = 0.;
-  Point m_ratio{};                            // sides of the bounding box, the larger one being 1
+  Point m_ratio{}; // sides of the bounding box, the larger one being 1
   std::vector<std::size_t> m_flipped;
   std::size_t m_number_of_degenerate_triangles = 0;
   double m_upper = 1.05;
   double m_maximum = 0.;
-  std::vector<std::size_t> m_by_color;        // the triangles, sorted by color
+  std::vector<std::size_t> m_by_color; // the triangles, sorted by color
   std::array<std::size_t, COLORS + 1> m_color_begin{};
   std::vector<Edge> m_border;
   std::vector<Edge> m_interior;

@@ -47,7 +47,9 @@ class Surface_raster
 {
 public:
   Surface_raster(int columns, int rows)
-    : m_columns(columns), m_rows(rows), m_color(std::size_t(columns) * rows, 0xFFFFFF),
+    : m_columns(columns),
+      m_rows(rows),
+      m_color(std::size_t(columns) * rows, 0xFFFFFF),
       m_depth(std::size_t(columns) * rows, -std::numeric_limits<float>::infinity())
   {}
 
@@ -67,13 +69,10 @@ public:
     const double heights[3] = {std::abs(doubled_area) / (c - b).norm(), std::abs(doubled_area) / (a - c).norm(),
                                std::abs(doubled_area) / (b - a).norm()};
     const std::uint32_t fill = packed(color, 1), line = packed(color, 0.62);
-    for(int j = first_row; j <= last_row; ++j)
-    {
-      for(int i = first_column; i <= last_column; ++i)
-      {
+    for(int j = first_row; j <= last_row; ++j) {
+      for(int i = first_column; i <= last_column; ++i) {
         const Eigen::Vector2d p(i + 0.5, j + 0.5);
-        const double w[3] = {cross(c - b, p - b) / doubled_area, cross(a - c, p - c) / doubled_area,
-                             cross(b - a, p - a) / doubled_area};
+        const double w[3] = {cross(c - b, p - b) / doubled_area, cross(a - c, p - c) / doubled_area, cross(b - a, p - a) / doubled_area};
         // The tolerance leaves no holes between neighbors.
         if(w[0] < -1e-6 || w[1] < -1e-6 || w[2] < -1e-6)
           continue;

@@ -30,8 +30,7 @@ namespace internal {
 class Word_reader
 {
 public:
-  explicit Word_reader(std::string_view text)
-    : m_text(text)
+  explicit Word_reader(std::string_view text) : m_text(text)
   {
     const std::string_view byte_order_mark("\xEF\xBB\xBF");
     if(m_text.substr(0, byte_order_mark.size()) == byte_order_mark)
@@ -127,15 +126,12 @@ private:
   void find_word()
   {
     bool is_comment = false;
-    for(; m_position < m_text.size(); ++m_position)
-    {
+    for(; m_position < m_text.size(); ++m_position) {
       const char c = m_text[m_position];
-      if(c == '\n' || (c == '\r' && !(m_position + 1 < m_text.size() && m_text[m_position + 1] == '\n')))
-      {
+      if(c == '\n' || (c == '\r' && !(m_position + 1 < m_text.size() && m_text[m_position + 1] == '\n'))) {
         is_comment = false;
         ++m_line;
-      }
-      else if(c == '#')
+      } else if(c == '#')
         is_comment = true;
       else if(!is_comment && !is_space(c))
         break;
@@ -146,10 +142,7 @@ private:
     m_word = m_text.substr(m_position, end - m_position);
   }
 
-  static bool is_space(char c)
-  {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\n' || c == '\r';
-  }
+  static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\n' || c == '\r'; }
 
   std::string_view m_text;
   std::string_view m_word;
@@ -161,7 +154,7 @@ private:
 
 // Returns the empty string, or which index is not that of a point.
 template <std::size_t N>
-std::string index_error(const char* name, const std::vector<std::array<int, N> >& elements, std::size_t number_of_points)
+std::string index_error(const char* name, const std::vector<std::array<int, N>>& elements, std::size_t number_of_points)
 {
   for(std::size_t i = 0; i < elements.size(); ++i)
     for(const int index : elements[i])
@@ -187,8 +180,7 @@ template <typename Range>
 void append_numbers(std::string& text, const Range& numbers, long long offset = 0)
 {
   const char* separator = "";
-  for(const auto number : numbers)
-  {
+  for(const auto number : numbers) {
     text += separator;
     append_number(text, static_cast<long long>(number) + offset);
     separator = " ";
@@ -197,8 +189,7 @@ void append_numbers(std::string& text, const Range& numbers, long long offset = 
 
 inline void append_coordinates(std::string& text, const std::array<double, 3>& point)
 {
-  for(int k = 0; k < 3; ++k)
-  {
+  for(int k = 0; k < 3; ++k) {
     if(k > 0)
       text += ' ';
     append_number(text, point[k]);

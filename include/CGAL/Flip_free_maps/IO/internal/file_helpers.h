@@ -68,7 +68,7 @@ inline bool read_whole_file(const std::string& path, std::string& content, std::
 
   content.clear();
   std::string chunk(std::size_t(1) << 20, '\0');
-  for(std::size_t length; (length = std::fread(&chunk[0], 1, chunk.size(), file)) > 0; )
+  for(std::size_t length; (length = std::fread(&chunk[0], 1, chunk.size(), file)) > 0;)
     content.append(chunk, 0, length);
   const bool is_read = std::ferror(file) == 0;
   const int read_error = errno;

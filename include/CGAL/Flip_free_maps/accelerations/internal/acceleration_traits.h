@@ -18,20 +18,22 @@ namespace Flip_free_maps {
 namespace internal {
 
 template <typename Acceleration, typename = void>
-struct Has_extrapolate : std::false_type {};
+struct Has_extrapolate : std::false_type
+{};
 
 template <typename Acceleration>
 struct Has_extrapolate<Acceleration, std::void_t<decltype(std::declval<Acceleration&>().extrapolate(
-                                       std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>()))>>
-  : std::true_type {};
+                                       std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>()))>> : std::true_type
+{};
 
 template <typename Acceleration, typename = void>
-struct Has_needs_current_matrix : std::false_type {};
+struct Has_needs_current_matrix : std::false_type
+{};
 
 template <typename Acceleration>
-struct Has_needs_current_matrix<Acceleration,
-                                std::void_t<decltype(std::declval<const Acceleration&>().needs_current_matrix())>>
-  : std::true_type {};
+struct Has_needs_current_matrix<Acceleration, std::void_t<decltype(std::declval<const Acceleration&>().needs_current_matrix())>>
+  : std::true_type
+{};
 
 // Whether the acceleration multiplies by the matrix of the current map.
 template <typename Acceleration>

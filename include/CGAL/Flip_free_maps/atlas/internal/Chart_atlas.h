@@ -39,8 +39,7 @@ namespace internal {
 
 // From flat arrays of triangles to charts without overlaps.
 template <typename Traits>
-class Chart_atlas
-  : public Chart_surface
+class Chart_atlas : public Chart_surface
 {
 public:
   Chart_atlas(const Traits& traits, const Unwrap_options& options, Unwrap_summary& summary)
@@ -78,7 +77,8 @@ public:
       Cut_options cut = m_options.cut;
       cut.target_energy = (std::min)(cut.target_energy, m_options.max_distortion);
       cut.cut_disks = cut.cut_disks || std::isfinite(m_options.max_distortion);
-      m_summary.cut = cut_mesh(m_mesh, m_mesh.points(), m_is_cut, [this](Mesh::Edge_index e) { return bool(m_is_feature[e]); }, cut);
+      m_summary.cut = cut_mesh(
+        m_mesh, m_mesh.points(), m_is_cut, [this](Mesh::Edge_index e) { return bool(m_is_feature[e]); }, cut);
       m_summary.cut.seam_length = std::ldexp(m_summary.cut.seam_length, m_exponent);
       for(const Flat_chart& chart : m_charts)
         for(const std::int32_t f : chart.faces)
@@ -222,10 +222,7 @@ private:
     return true;
   }
 
-  double remaining_seconds() const
-  {
-    return m_is_stopped ? 0 : (std::max)(0., m_options.max_seconds - (wall_seconds() - m_begin));
-  }
+  double remaining_seconds() const { return m_is_stopped ? 0 : (std::max)(0., m_options.max_seconds - (wall_seconds() - m_begin)); }
 
   bool report_progress()
   {
@@ -256,9 +253,8 @@ private:
     std::vector<Point_2> uv(open.points.cols());
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
     summary = parameterize_patch(open.mesh, border, open.mesh.points(), uv_map, traits,
-                      [&traits](const Simplicial_domain<2>& domain, const auto&, Positions<2>& start, std::string& name, std::string& message) {
-                        return make_start(domain, traits, start, name, message);
-                      });
+                                 [&traits](const Simplicial_domain<2>& domain, const auto&, Positions<2>& start, std::string& name,
+                                           std::string& message) { return make_start(domain, traits, start, name, message); });
     x.resize(2, uv.size());
     if(summary.is_valid())
       for(std::size_t v = 0; v < uv.size(); ++v)
@@ -418,7 +414,8 @@ private:
     Edge_map is_cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:cut", false).first;
     Cut_options cut = m_options.cut;
     cut.branches = Cut_options::Branches::none;
-    const Cut_summary summary = cut_mesh(mesh, mesh.points(), is_cut, [](Mesh::Edge_index) { return false; }, cut);
+    const Cut_summary summary = cut_mesh(
+      mesh, mesh.points(), is_cut, [](Mesh::Edge_index) { return false; }, cut);
     if(!summary.is_valid())
       return fail(summary.status, "a part of the surface was not cut open: " + summary.message);
     for(std::size_t e = 0; e < piece.faces.size(); ++e)
@@ -490,9 +487,9 @@ private:
 
   Traits m_traits;
   const Unwrap_options& m_options;
-  std::vector<Image> m_image;                     // of each face in the last map of it
+  std::vector<Image> m_image; // of each face in the last map of it
   std::vector<Flat_chart> m_charts;
-  std::vector<double> m_areas;                    // of the charts on the surface, in the units of m_points
+  std::vector<double> m_areas; // of the charts on the surface, in the units of m_points
   std::int64_t m_faces_done = 0;
   bool m_is_stopped = false;
 };

@@ -76,7 +76,8 @@ public:
       vertices.push_back(m_mesh.add_vertex({m_points(0, v), m_points(1, v), m_points(2, v)}));
     for(std::size_t f = 0; f < triangles.size(); ++f)
       if(!m_mesh.add_face(vertices[triangles[f][0]], vertices[triangles[f][1]], vertices[triangles[f][2]]).is_valid())
-        return fail(Status::non_manifold, "more than two faces have an edge, or several sheets a vertex, of face number " + std::to_string(f));
+        return fail(Status::non_manifold,
+                    "more than two faces have an edge, or several sheets a vertex, of face number " + std::to_string(f));
     m_is_cut = m_mesh.add_property_map<Mesh::Edge_index, bool>("e:cut", false).first;
     m_is_feature = m_mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
     m_corners.resize(triangles.size());

@@ -63,7 +63,12 @@ public:
   const std::vector<Rectangle_place>& places() const { return m_places; }
 
 private:
-  enum class Turn { lying, standing, free };
+  enum class Turn
+  {
+    lying,
+    standing,
+    free
+  };
 
   struct Step
   {

@@ -61,10 +61,7 @@ inline Vector<2> direction_of_smallest_box(const Positions<2>& x)
   return direction.squaredNorm() > 0 ? direction.normalized() : Vector<2>(1, 0);
 }
 
-inline Vector<2> extent(const Positions<2>& x)
-{
-  return x.rowwise().maxCoeff() - x.rowwise().minCoeff();
-}
+inline Vector<2> extent(const Positions<2>& x) { return x.rowwise().maxCoeff() - x.rowwise().minCoeff(); }
 
 inline bool is_flip_free(const Flat_chart& chart, const Positions<2>& x)
 {

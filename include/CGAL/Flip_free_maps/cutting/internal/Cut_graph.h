@@ -626,15 +626,15 @@ private:
   const Cut_surface& m_surface;
   const Cut_opening& m_opening;
   const std::vector<double>& m_costs;
-  std::vector<char> m_is_cut;                 // by edge
-  std::vector<std::int32_t> m_node_of_copy;   // nodes of borders come first, by their numbers
+  std::vector<char> m_is_cut;               // by edge
+  std::vector<std::int32_t> m_node_of_copy; // nodes of borders come first, by their numbers
   std::vector<std::int32_t> m_piece_of_node;
   std::vector<std::int32_t> m_first_neighbors;
   std::vector<Neighbor> m_neighbors;
-  std::vector<std::int32_t> m_degrees;        // seam edges at a node
+  std::vector<std::int32_t> m_degrees; // seam edges at a node
   std::vector<char> m_is_kept, m_marks;
   std::vector<double> m_distances;
-  std::vector<std::int32_t> m_predecessors;   // edges
+  std::vector<std::int32_t> m_predecessors; // edges
 };
 
 } // namespace internal

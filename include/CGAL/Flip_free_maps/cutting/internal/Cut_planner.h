@@ -58,7 +58,10 @@ class Cut_planner
 {
 public:
   Cut_planner(const Cut_surface& surface, const Cut_options& options)
-    : m_surface(surface), m_options(options), m_opening(surface, surface.is_seam), m_costs(cut_costs(surface, options)),
+    : m_surface(surface),
+      m_options(options),
+      m_opening(surface, surface.is_seam),
+      m_costs(cut_costs(surface, options)),
       m_graph(surface, m_opening, m_costs)
   {
     const std::int32_t pieces = m_opening.number_of_pieces();

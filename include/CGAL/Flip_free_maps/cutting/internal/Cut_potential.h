@@ -106,10 +106,7 @@ public:
 
   // The expected energy above 1 at a vertex, times its area. Beyond some distortion it does not count more:
   // long tubes would hide everything else.
-  double excess(std::int32_t v) const
-  {
-    return m_areas[v] * (std::cosh(2 * (std::min)(std::abs(m_values[v]), LARGEST_POTENTIAL)) - 1);
-  }
+  double excess(std::int32_t v) const { return m_areas[v] * (std::cosh(2 * (std::min)(std::abs(m_values[v]), LARGEST_POTENTIAL)) - 1); }
 
   // Maxima of the values' magnitudes that are higher by `prominence` than the passes to higher maxima, each with the excess of
   // its surroundings down to the passes; those with the largest excess come first.
@@ -123,9 +120,8 @@ public:
       if(m_values[v] != 0 && is_wanted(v))
         order.push_back(v);
     const auto height = [this](std::int32_t v) { return std::abs(m_values[v]); };
-    std::sort(order.begin(), order.end(), [&](std::int32_t v, std::int32_t w) {
-      return height(v) != height(w) ? height(v) > height(w) : v < w;
-    });
+    std::sort(order.begin(), order.end(),
+              [&](std::int32_t v, std::int32_t w) { return height(v) != height(w) ? height(v) > height(w) : v < w; });
     // Regions grow downhill from the maxima, each known by its highest vertex. A region ends where it meets a higher one.
     std::vector<std::int32_t> top(n, -1);
     std::vector<std::int32_t> merged(n, -1); // by maximum, the higher one that it was merged into
@@ -163,9 +159,8 @@ public:
     for(std::int32_t v : order)
       if(top[v] == v && merged[v] < 0)
         result.push_back({v, excesses[v]});
-    std::sort(result.begin(), result.end(), [](const Peak& a, const Peak& b) {
-      return a.excess != b.excess ? a.excess > b.excess : a.vertex < b.vertex;
-    });
+    std::sort(result.begin(), result.end(),
+              [](const Peak& a, const Peak& b) { return a.excess != b.excess ? a.excess > b.excess : a.vertex < b.vertex; });
     return result;
   }
 
@@ -218,7 +213,7 @@ private:
   std::vector<double> m_areas;   // by vertex
   std::vector<double> m_weights; // by edge
   std::vector<std::int32_t> m_first_edges, m_edges;
-  Eigen::VectorXd m_values;      // by vertex
+  Eigen::VectorXd m_values; // by vertex
   Block_sparse_matrix m_matrix;
   Solver m_solver;
   bool m_is_analyzed = false;

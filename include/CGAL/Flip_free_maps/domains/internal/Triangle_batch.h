@@ -29,11 +29,13 @@ using Lanes = Eigen::Array<double, NUMBER_OF_LANES, 1>;
 // Whether an energy computes several elements at once. A class that inherits from such an energy, and may have another value(),
 // does not. Without a barrier the smaller singular value may vanish, which the formulas below do not bear.
 template <typename Energy, typename = void>
-struct Has_lanes : std::false_type {};
+struct Has_lanes : std::false_type
+{};
 
 template <typename Energy>
 struct Has_lanes<Energy, std::void_t<typename Energy::Vectorized_energy>>
-  : std::bool_constant<std::is_same<typename Energy::Vectorized_energy, Energy>::value && Energy::has_barrier> {};
+  : std::bool_constant<std::is_same<typename Energy::Vectorized_energy, Energy>::value && Energy::has_barrier>
+{};
 
 // Consecutive triangles of a planar domain, one in each lane: their Jacobians J = A R, where A holds the edges of the image and R
 // is the inverse of those of the rest shape. With alpha = (J_00 + J_11, J_10 - J_01) and beta = (J_00 - J_11, J_10 + J_01), J is
@@ -82,8 +84,7 @@ public:
     // Factors of alpha and beta in the derivative of the energy in J. Where beta vanishes,
     // so does the difference of the derivatives.
     const Lanes p = 0.5 * m_weight * (gradient[0] + gradient[1]) / m_alpha_norm;
-    const Lanes q =
-      0.5 * m_weight * (gradient[0] - gradient[1]) / m_beta_norm.max((std::numeric_limits<double>::min)());
+    const Lanes q = 0.5 * m_weight * (gradient[0] - gradient[1]) / m_beta_norm.max((std::numeric_limits<double>::min)());
     const Lanes a = p * m_alpha[0] + q * m_beta[0], b = q * m_beta[1] - p * m_alpha[1];
     const Lanes c = p * m_alpha[1] + q * m_beta[1], d = p * m_alpha[0] - q * m_beta[0];
     const std::array<Lanes, 4> forces{a * m_rest[0] + b * m_rest[2], c * m_rest[0] + d * m_rest[2], a * m_rest[1] + b * m_rest[3],

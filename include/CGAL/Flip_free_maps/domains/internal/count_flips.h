@@ -37,8 +37,8 @@ bool is_positively_oriented(const std::array<std::int32_t, 4>& v, const Position
 template <typename Kernel, typename ConcurrencyTag, int D>
 std::int64_t count_flips(const Simplicial_domain<D>& domain, const Element_coloring& schedule, const Positions<D>& x)
 {
-  return static_cast<std::int64_t>(schedule.template sum<ConcurrencyTag>(
-    [&](std::int64_t e) { return is_positively_oriented<Kernel>(domain.elements[e], x) ? 0. : 1.; }));
+  return static_cast<std::int64_t>(
+    schedule.template sum<ConcurrencyTag>([&](std::int64_t e) { return is_positively_oriented<Kernel>(domain.elements[e], x) ? 0. : 1.; }));
 }
 
 } // namespace internal

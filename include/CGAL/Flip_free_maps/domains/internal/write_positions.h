@@ -57,8 +57,8 @@ void write_positions(const Simplicial_domain<2>& domain, const std::vector<Verte
   Element_coloring schedule;
   schedule.build(domain.elements, domain.number_of_vertices);
   const bool allows_flips = summary.flips > 0;
-  summary.flips = converted.allFinite() ? count_flips<Kernel, CGAL::Sequential_tag>(domain, schedule, converted)
-                                        : domain.number_of_elements();
+  summary.flips =
+    converted.allFinite() ? count_flips<Kernel, CGAL::Sequential_tag>(domain, schedule, converted) : domain.number_of_elements();
   if(summary.flips != 0 && !allows_flips) {
     summary.status = Status::result_not_representable;
     summary.message = "elements flip when the map is converted to the number type of the result";

@@ -68,9 +68,9 @@ inline void closest_rotation(const Matrix<3>& M, Matrix<3>& R)
     const Vector<3> k = 0.5 * w;
     const double f = 2 / (1 + 0.25 * squared);
     Matrix<3> C;
-    C << 1 - f * (k[1] * k[1] + k[2] * k[2]), f * (k[0] * k[1] - k[2]), f * (k[0] * k[2] + k[1]),
-      f * (k[0] * k[1] + k[2]), 1 - f * (k[0] * k[0] + k[2] * k[2]), f * (k[1] * k[2] - k[0]),
-      f * (k[0] * k[2] - k[1]), f * (k[1] * k[2] + k[0]), 1 - f * (k[0] * k[0] + k[1] * k[1]);
+    C << 1 - f * (k[1] * k[1] + k[2] * k[2]), f * (k[0] * k[1] - k[2]), f * (k[0] * k[2] + k[1]), f * (k[0] * k[1] + k[2]),
+      1 - f * (k[0] * k[0] + k[2] * k[2]), f * (k[1] * k[2] - k[0]), f * (k[0] * k[2] - k[1]), f * (k[1] * k[2] + k[0]),
+      1 - f * (k[0] * k[0] + k[1] * k[1]);
     R = (R * C).eval();
     if(squared < 1e-14) {
       // Rounding errors of many products are removed before they add up.

@@ -19,34 +19,42 @@ namespace internal {
 
 // Whether an energy has the optional member functions.
 template <typename Energy, int D, typename = void>
-struct Has_slim_target : std::false_type {};
+struct Has_slim_target : std::false_type
+{};
 
 template <typename Energy, int D>
-struct Has_slim_target<Energy, D, std::void_t<decltype(std::declval<const Energy&>().template slim_target<D>(
-                                    std::declval<const Vector<D>&>()))>>
-  : std::true_type {};
+struct Has_slim_target<Energy, D,
+                       std::void_t<decltype(std::declval<const Energy&>().template slim_target<D>(std::declval<const Vector<D>&>()))>>
+  : std::true_type
+{};
 
 template <typename Energy, int D, typename = void>
-struct Has_convex_hessian : std::false_type {};
+struct Has_convex_hessian : std::false_type
+{};
 
 template <typename Energy, int D>
-struct Has_convex_hessian<Energy, D, std::void_t<decltype(std::declval<const Energy&>().template convex_hessian<D>(
-                                       std::declval<const Vector<D>&>(), std::declval<const Matrix<D>&>(),
-                                       std::declval<Matrix<D>&>()))>>
-  : std::true_type {};
+struct Has_convex_hessian<Energy, D,
+                          std::void_t<decltype(std::declval<const Energy&>().template convex_hessian<D>(
+                            std::declval<const Vector<D>&>(), std::declval<const Matrix<D>&>(), std::declval<Matrix<D>&>()))>>
+  : std::true_type
+{};
 
 template <typename Energy, int D, typename = void>
-struct Has_composite_form : std::false_type {};
+struct Has_composite_form : std::false_type
+{};
 
 template <typename Energy, int D>
 struct Has_composite_form<Energy, D, std::void_t<decltype(Energy::template has_composite_form<D>)>>
-  : std::bool_constant<Energy::template has_composite_form<D>> {};
+  : std::bool_constant<Energy::template has_composite_form<D>>
+{};
 
 template <typename Energy, typename = void>
-struct Has_holds_barrier : std::false_type {};
+struct Has_holds_barrier : std::false_type
+{};
 
 template <typename Energy>
-struct Has_holds_barrier<Energy, std::void_t<decltype(std::declval<const Energy&>().holds_barrier())>> : std::true_type {};
+struct Has_holds_barrier<Energy, std::void_t<decltype(std::declval<const Energy&>().holds_barrier())>> : std::true_type
+{};
 
 // Whether the energy is infinite on elements that are not positive.
 template <typename Energy>

@@ -110,10 +110,7 @@ private:
     return a.dot(b) / (a[0] * b[1] - a[1] * b[0]);
   }
 
-  bool is_at_pole(std::int64_t e) const
-  {
-    return vertex(e, 0) == m_pole || vertex(e, 1) == m_pole || vertex(e, 2) == m_pole;
-  }
+  bool is_at_pole(std::int64_t e) const { return vertex(e, 0) == m_pole || vertex(e, 1) == m_pole || vertex(e, 2) == m_pole; }
 
   // The Laplacian of the vertices whose `is_free` is set, of the triangles that do not touch the pole if there is one. Positive
   // weights make an embedding likely. Increments by `turn` along edges are moved to the right-hand side.

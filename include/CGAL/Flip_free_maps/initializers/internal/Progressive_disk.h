@@ -113,9 +113,15 @@ public:
   using Triangle = std::array<std::int32_t, 3>;
 
   explicit Progressive_disk(const Simplicial_domain<2>& domain)
-    : m_points(domain.rest_points), m_triangles(domain.elements), m_is_awake(domain.elements.size(), 1),
-      m_stars(domain.elements, domain.number_of_vertices), m_next(domain.number_of_vertices, -1), m_previous(domain.number_of_vertices, -1),
-      m_target(domain.number_of_vertices, -1), m_loop(domain.number_of_vertices, -1), m_number_of_triangles(domain.number_of_elements())
+    : m_points(domain.rest_points),
+      m_triangles(domain.elements),
+      m_is_awake(domain.elements.size(), 1),
+      m_stars(domain.elements, domain.number_of_vertices),
+      m_next(domain.number_of_vertices, -1),
+      m_previous(domain.number_of_vertices, -1),
+      m_target(domain.number_of_vertices, -1),
+      m_loop(domain.number_of_vertices, -1),
+      m_number_of_triangles(domain.number_of_elements())
   {
     add_loop(domain.border);
     for(const auto& hole : domain.holes)
@@ -583,10 +589,10 @@ private:
   std::vector<Triangle> m_triangles;
   std::vector<char> m_is_awake;
   Flat_lists m_stars;
-  std::vector<std::int32_t> m_next;     // along the border, -1 inside; kept for removed vertices
+  std::vector<std::int32_t> m_next; // along the border, -1 inside; kept for removed vertices
   std::vector<std::int32_t> m_previous;
-  std::vector<std::int32_t> m_target;   // of removed vertices, -1 for the others
-  std::vector<std::int32_t> m_loop;     // 0 on the outer border, 1 + h on that of hole h, -1 inside
+  std::vector<std::int32_t> m_target; // of removed vertices, -1 for the others
+  std::vector<std::int32_t> m_loop;   // 0 on the outer border, 1 + h on that of hole h, -1 inside
   std::int64_t m_number_of_triangles;
   std::vector<std::size_t> m_loop_sizes;
   std::vector<std::vector<std::int32_t>> m_passes;

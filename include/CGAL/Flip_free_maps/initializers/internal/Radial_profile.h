@@ -175,8 +175,7 @@ private:
   {
     double direct = 0, inverse = 0;
     for(std::size_t k = 0; k < m_intervals.size(); ++k)
-      for(const auto& [term, s] :
-          {std::make_pair(m_intervals[k].radial, slope(k)), std::make_pair(m_intervals[k].tangential, middle(k))}) {
+      for(const auto& [term, s] : {std::make_pair(m_intervals[k].radial, slope(k)), std::make_pair(m_intervals[k].tangential, middle(k))}) {
         direct += term.direct * s * s;
         inverse += term.inverse / (s * s);
       }

@@ -173,7 +173,8 @@ private:
     for(const Corner& corner : m_corners) {
       const double squared_side = corner.squared_a - 2 * corner.dot + corner.squared_b;
       const Vector<2> side = corner.b - corner.a, normal(-side[1], side[0]);
-      sum += corner.a + (corner.squared_a - corner.dot) / squared_side * side + corner.cross / std::sqrt(squared_side * side.squaredNorm()) * normal;
+      sum += corner.a + (corner.squared_a - corner.dot) / squared_side * side +
+             corner.cross / std::sqrt(squared_side * side.squaredNorm()) * normal;
     }
     return sum / static_cast<double>(m_corners.size());
   }

@@ -66,10 +66,12 @@ bool favours_isometries(const Energy& energy)
 }
 
 template <typename Traits, typename = void>
-struct Is_adaptive : std::false_type {};
+struct Is_adaptive : std::false_type
+{};
 
 template <typename Traits>
-struct Is_adaptive<Traits, std::void_t<decltype(std::declval<Traits&>().adapt_to_developable_surface())>> : std::true_type {};
+struct Is_adaptive<Traits, std::void_t<decltype(std::declval<Traits&>().adapt_to_developable_surface())>> : std::true_type
+{};
 
 // Total curvature, in radians, up to which a surface counts as developable: that of a spherical cap of 18 degrees around its
 // centre is greater.

@@ -28,10 +28,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-  // CHOLMOD starts threads of OpenMP for small loops inside a factorization, and OpenBLAS threads of its own for small products:
-  // on large meshes, waiting for them costs more than they bring, and sums of BLAS would depend on their number. Both libraries
-  // are looked up at run time, because which ones serve CHOLMOD is only known then.
-  class Single_thread
+// CHOLMOD starts threads of OpenMP for small loops inside a factorization, and OpenBLAS threads of its own for small products:
+// on large meshes, waiting for them costs more than they bring, and sums of BLAS would depend on their number. Both libraries
+// are looked up at run time, because which ones serve CHOLMOD is only known then.
+class Single_thread
 {
 public:
   Single_thread() : m_openmp_before(openmp().exchange(0))

@@ -239,8 +239,8 @@ private:
   // Adds L L^T to the lower triangle of a matrix, panel by panel below the diagonal of L.
   static void add_square(const Eigen::MatrixXd& L, Eigen::MatrixXd& sum)
   {
-    using Dsyrk = void(const char*, const char*, const int*, const int*, const double*, const double*, const int*, const double*, double*,
-                       const int*);
+    using Dsyrk =
+      void(const char*, const char*, const int*, const int*, const double*, const double*, const int*, const double*, double*, const int*);
     static Dsyrk* const dsyrk = blas_function<Dsyrk>("dsyrk_");
     constexpr Index PANEL = 192;
     const double one = 1;

@@ -16,10 +16,12 @@ namespace Flip_free_maps {
 namespace internal {
 
 template <typename Solver, typename = void>
-struct Is_iterative : std::false_type {};
+struct Is_iterative : std::false_type
+{};
 
 template <typename Solver>
-struct Is_iterative<Solver, std::void_t<decltype(std::declval<const Solver&>().iterations())>> : std::true_type {};
+struct Is_iterative<Solver, std::void_t<decltype(std::declval<const Solver&>().iterations())>> : std::true_type
+{};
 
 // Iterations of an iterative solver's last solve, 0 for a direct one.
 template <typename Solver>
@@ -32,10 +34,12 @@ int inner_iterations(const Solver& solver)
 }
 
 template <typename Solver, typename = void>
-struct Takes_memory_budget : std::false_type {};
+struct Takes_memory_budget : std::false_type
+{};
 
 template <typename Solver>
-struct Takes_memory_budget<Solver, std::enable_if_t<Solver::takes_memory_budget>> : std::true_type {};
+struct Takes_memory_budget<Solver, std::enable_if_t<Solver::takes_memory_budget>> : std::true_type
+{};
 
 // A solver with a budget of memory, in bytes, if it can be told one; 0 leaves it to the solver.
 template <typename Solver>

@@ -26,10 +26,7 @@ namespace internal {
 
 using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-inline Exact_kernel::Point_2 exact_point(const Positions<2>& x, std::int32_t v)
-{
-  return Exact_kernel::Point_2(x(0, v), x(1, v));
-}
+inline Exact_kernel::Point_2 exact_point(const Positions<2>& x, std::int32_t v) { return Exact_kernel::Point_2(x(0, v), x(1, v)); }
 
 // An edge with a triangle on its left and none on its right.
 struct Border_edge
@@ -109,8 +106,7 @@ public:
     std::vector<Box> boxes;
     boxes.reserve(m_edges.size());
     for(std::size_t i = 0; i < m_edges.size(); ++i)
-      boxes.emplace_back(exact_point(x, m_edges[i].source).bbox() + exact_point(x, m_edges[i].target).bbox(),
-                         static_cast<std::int32_t>(i));
+      boxes.emplace_back(exact_point(x, m_edges[i].source).bbox() + exact_point(x, m_edges[i].target).bbox(), static_cast<std::int32_t>(i));
     struct Enough
     {};
     // The enumeration of pairs can be left by an exception only; it may have very many pairs to go.
@@ -119,8 +115,7 @@ public:
         if(cross(m_edges[a.info()], m_edges[b.info()], x) && !f(a.info(), b.info()))
           throw Enough();
       });
-    } catch(const Enough&) {
-    }
+    } catch(const Enough&) {}
   }
 
   // Whether the curves, which must not cross, bound regions that each lie inside of exactly one of them more than outside: outer

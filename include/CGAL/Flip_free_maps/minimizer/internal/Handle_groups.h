@@ -102,8 +102,8 @@ public:
     const double fraction = is_last ? 1 : LARGEST_TURN / largest_angle;
     for(std::size_t g = 0; g < m_groups.size(); ++g)
       for(std::int32_t v : m_groups[g])
-        displacement.col(v) = is_last ? Vector<D>(targets.col(v) - x.col(v))
-                                      : Vector<D>(motions[g].place(x.col(v), targets.col(v), fraction) - x.col(v));
+        displacement.col(v) =
+          is_last ? Vector<D>(targets.col(v) - x.col(v)) : Vector<D>(motions[g].place(x.col(v), targets.col(v), fraction) - x.col(v));
     return true;
   }
 
@@ -112,7 +112,7 @@ private:
   struct Motion
   {
     Vector<D> from, to;
-    double angle = 0;         // not negative
+    double angle = 0; // not negative
     Vector<3> axis{0, 0, 1};
 
     Matrix<D> rotation(double fraction) const

@@ -205,8 +205,9 @@ public:
     m_schedule.template scatter_chunks<Tag>([&](std::int64_t begin, std::int64_t end) {
       if constexpr(USES_LANES)
         for(; !with_matrix && begin + NUMBER_OF_LANES <= end; begin += NUMBER_OF_LANES)
-          Triangle_batch(m_domain, reference, begin, x)
-            .for_each_gradient(m_energy, [&](int l, const Matrix<2>& forces) { add_forces(begin + l, forces, gradient); });
+          Triangle_batch(m_domain, reference, begin, x).for_each_gradient(m_energy, [&](int l, const Matrix<2>& forces) {
+            add_forces(begin + l, forces, gradient);
+          });
       for(; begin < end; ++begin)
         add_derivatives_of_element(reference, x, begin, with_matrix, gradient);
     });
@@ -273,9 +274,8 @@ public:
   // The step at which the first element collapses.
   double largest_step(const Positions<D>& x, const Positions<D>& direction) const
   {
-    return m_schedule.template minimum<Tag>([&](std::int64_t e) {
-      return largest_flip_free_step(m_domain.image_edges(e, x), m_domain.image_edges(e, direction));
-    });
+    return m_schedule.template minimum<Tag>(
+      [&](std::int64_t e) { return largest_flip_free_step(m_domain.image_edges(e, x), m_domain.image_edges(e, direction)); });
   }
 
   // Moves the vertices of the elements that would collapse within `bound` along the direction, each to the optimum of the
@@ -305,7 +305,8 @@ public:
         int k = 0;
         while(m_domain.elements[e][k] != v)
           ++k;
-        const Vector<D> hat = k == 0 ? Vector<D>(-rest_inverse.colwise().sum().transpose()) : Vector<D>(rest_inverse.row(k - 1).transpose());
+        const Vector<D> hat =
+          k == 0 ? Vector<D>(-rest_inverse.colwise().sum().transpose()) : Vector<D>(rest_inverse.row(k - 1).transpose());
         relaxation.add(m_domain.image_edges(e, x) * rest_inverse, hat, reference.weight(m_domain, e));
       }
       const Vector<D> origin = x.col(v);
@@ -324,10 +325,10 @@ public:
   // Smallest and largest signed singular value over all elements.
   std::pair<double, double> singular_value_range(const Positions<D>& x) const
   {
-    const double low = m_schedule.template minimum<Tag>(
-      [&](std::int64_t e) { return signed_singular_values(m_domain.jacobian(e, x))[D - 1]; });
-    const double high = -m_schedule.template minimum<Tag>(
-      [&](std::int64_t e) { return -signed_singular_values(m_domain.jacobian(e, x))[0]; });
+    const double low =
+      m_schedule.template minimum<Tag>([&](std::int64_t e) { return signed_singular_values(m_domain.jacobian(e, x))[D - 1]; });
+    const double high =
+      -m_schedule.template minimum<Tag>([&](std::int64_t e) { return -signed_singular_values(m_domain.jacobian(e, x))[0]; });
     return {low, high};
   }
 

@@ -191,11 +191,11 @@ public:
 private:
   struct Element
   {
-    double weight;         // times 1/4
-    double square;         // |J|^2 at displacement 0
-    double hat;            // half the second derivative of |J|^2
-    double determinant;    // at displacement 0
-    Vector<2> square_slope;// half the gradient of |J|^2 at displacement 0
+    double weight;          // times 1/4
+    double square;          // |J|^2 at displacement 0
+    double hat;             // half the second derivative of |J|^2
+    double determinant;     // at displacement 0
+    Vector<2> square_slope; // half the gradient of |J|^2 at displacement 0
     Vector<2> determinant_slope;
 
     double square_at(const Vector<2>& u) const { return square + 2 * u.dot(square_slope) + hat * u.squaredNorm(); }

@@ -98,11 +98,9 @@ public:
 private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::int32_t, Kernel>;
-  using Face_base =
-    CGAL::Triangulation_face_base_with_info_2<signed char, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-  using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
-                                               CGAL::No_constraint_intersection_tag>;
+  using Face_base = CGAL::Triangulation_face_base_with_info_2<signed char, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
+                                                                   CGAL::No_constraint_intersection_tag>;
   using Vertex_handle = Triangulation::Vertex_handle;
   using Face_handle = Triangulation::Face_handle;
   using Point = Triangulation::Point;

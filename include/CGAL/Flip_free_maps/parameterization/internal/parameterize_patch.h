@@ -30,11 +30,12 @@ namespace Flip_free_maps {
 namespace internal {
 
 template <typename Minimizer, typename = void>
-struct Has_analyze : std::false_type {};
+struct Has_analyze : std::false_type
+{};
 
 template <typename Minimizer>
-struct Has_analyze<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().analyze(std::declval<Summary&>()))>>
-  : std::true_type {};
+struct Has_analyze<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().analyze(std::declval<Summary&>()))>> : std::true_type
+{};
 
 // Makes a start by `start()`, which tells whether it succeeded, and minimises. The pattern of the matrix does not depend on the
 // start, so both are found at the same time; but not where the start may be the solution.
@@ -85,8 +86,8 @@ struct Free_minimization
 template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart, typename Constrain,
           typename ExactPosition, typename Minimization = Free_minimization>
 Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start,
-                Constrain&& constrain, ExactPosition&& exact_position, const Minimization& minimization = Minimization())
+                           const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start,
+                           Constrain&& constrain, ExactPosition&& exact_position, const Minimization& minimization = Minimization())
 {
   Summary summary;
   const auto run = [&] {
@@ -141,7 +142,7 @@ Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_trait
 // The same without constraints.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart>
 Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start)
+                           const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start)
 {
   return parameterize_patch(
     mesh, border_halfedge, vertex_points, uv_map, traits, make_start, [](auto&, auto&, std::string&) { return Status::success; },

@@ -217,8 +217,8 @@ private:
   std::vector<std::int32_t> m_row; // of each vertex, -1 for fixed ones
   std::int32_t m_number_of_rows = 0;
   std::vector<std::array<std::int32_t, D + 1>> m_stencils; // rows of the elements' vertices
-  std::vector<std::int32_t> m_component; // union-find
-  std::vector<std::int32_t> m_pins;      // rows
+  std::vector<std::int32_t> m_component;                   // union-find
+  std::vector<std::int32_t> m_pins;                        // rows
   Block_sparse_matrix m_matrix;
   Eigen::Matrix<double, D, Eigen::Dynamic> m_force;
   Eigen::VectorXd m_right, m_left;

@@ -27,8 +27,8 @@ namespace internal {
 // How a function run by run_in_subprocess() ended.
 enum class Apart_end
 {
-  returned,  // with the code that is told
-  crashed,   // by a signal
+  returned, // with the code that is told
+  crashed,  // by a signal
   not_started
 };
 
@@ -49,7 +49,10 @@ Apart_end run_in_subprocess(F&& f, std::string& bytes, int& code)
     return Apart_end::not_started;
   }
   if(child == 0) {
-    const struct rlimit no_core_file{0, 0};
+    const struct rlimit no_core_file
+    {
+      0, 0
+    };
     ::setrlimit(RLIMIT_CORE, &no_core_file);
     const int nowhere = ::open("/dev/null", O_WRONLY);
     if(nowhere >= 0) {
