@@ -1,0 +1,23 @@
+# Reads the table rooms.txt: `rooms` is the list of its rooms, and for each room NAME `may_include_NAME` is a list of rooms and
+# `sentence_NAME` says what the room holds. A line that allows what does not stand above it is an error.
+
+function(read_rooms file)
+  set(rooms)
+  file(STRINGS "${file}" lines REGEX "^[^#]")
+  foreach(line IN LISTS lines)
+    if(NOT line MATCHES "^([A-Za-z_]+) *\\|([A-Za-z_ ]*)\\| *(.+)$")
+      message(FATAL_ERROR "${file}: not a line \"room | rooms that it may include | what it holds\": ${line}")
+    endif()
+    set(room "${CMAKE_MATCH_1}")
+    set(sentence_${room} "${CMAKE_MATCH_3}" PARENT_SCOPE)
+    string(REGEX MATCHALL "[A-Za-z_]+" allowed "${CMAKE_MATCH_2}")
+    foreach(other IN LISTS allowed)
+      if(NOT other IN_LIST rooms)
+        message(FATAL_ERROR "${file}: ${room} may not include ${other}, which does not stand above it.")
+      endif()
+    endforeach()
+    set(may_include_${room} "${allowed}" PARENT_SCOPE)
+    list(APPEND rooms "${room}")
+  endforeach()
+  set(rooms "${rooms}" PARENT_SCOPE)
+endfunction()
