@@ -22,6 +22,7 @@ concave function of the singular values, which composite majorization needs.
 \cgalHasModels{CGAL::Flip_free_maps::Arap}
 \cgalHasModels{CGAL::Flip_free_maps::Hencky}
 \cgalHasModels{CGAL::Flip_free_maps::Aigerman_isometric}
+\cgalHasModels{CGAL::Flip_free_maps::Weighted_sum}
 \cgalHasModelsEnd
 
 \sa `CGAL::Flip_free_maps::ConvexConcaveEnergyConcept`

@@ -15,6 +15,7 @@ from.
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Flip_free_maps::Multilevel_initializer}
 \cgalHasModels{CGAL::Flip_free_maps::Tutte_initializer}
 \cgalHasModelsEnd
 

@@ -17,6 +17,7 @@ The algorithms copy the traits and change only their copy.
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_free_maps::Any_map_traits}
 \cgalHasModels{CGAL::Flip_free_maps::Flip_free_map_traits}
+\cgalHasModels{CGAL::Flip_free_maps::Splitting_map_traits}
 \cgalHasModelsEnd
 
 \sa `CGAL::Flip_free_maps::MapTraitsConcept`

@@ -32,6 +32,7 @@ Further members are optional:
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Flip_free_maps::Adaptive_preconditioner}
 \cgalHasModels{CGAL::Flip_free_maps::Any_preconditioner}
 \cgalHasModels{CGAL::Flip_free_maps::Composite_majorization}
 \cgalHasModels{CGAL::Flip_free_maps::Hybrid}

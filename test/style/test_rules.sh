@@ -33,19 +33,21 @@ refuse "Headers have include guards:" "$(search '#[[:space:]]*pragma once')"
 
 wrong_guards()
 {
-  find include -name '*.h' | sort | while read -r header; do
-    guard="$(echo "${header#include/}" | tr 'a-z/.' 'A-Z__')"
-    grep -qx "#ifndef $guard" "$header" && grep -qx "#define $guard" "$header" || echo "$header: $guard"
-  done
+  find include -name '*.h' | sort | xargs awk '
+    function finish() { if(file != "" && found != 2) print file ": " guard }
+    FNR == 1 { finish(); file = FILENAME; guard = toupper(file); sub(/^INCLUDE\//, "", guard); gsub(/[\/.]/, "_", guard); found = 0 }
+    $0 == "#ifndef " guard || $0 == "#define " guard { ++found }
+    END { finish() }'
 }
 refuse "Include guards repeat the path:" "$(wrong_guards)"
 
 without_licence()
 {
-  find include examples test benchmark -type f \( -name '*.h' -o -name '*.cpp' \) -not -path '*/build*' | sort | while read -r file; do
-    { sed -n 1p "$file" | grep -q '^// Copyright (c) ' && sed -n 1,7p "$file" | grep -qx '// SPDX-License-Identifier: GPL-3.0-or-later'; } ||
-      echo "$file"
-  done
+  find include examples test benchmark -type f \( -name '*.h' -o -name '*.cpp' \) -not -path '*/build*' | sort | xargs awk '
+    function finish() { if(file != "" && found != 2) print file }
+    FNR == 1 { finish(); file = FILENAME; found = $0 ~ /^\/\/ Copyright \(c\) / }
+    FNR <= 7 && $0 == "// SPDX-License-Identifier: GPL-3.0-or-later" { ++found }
+    END { finish() }'
 }
 refuse "Files begin with the lines of copyright and licence:" "$(without_licence)"
 
