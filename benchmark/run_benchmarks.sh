@@ -8,24 +8,26 @@
 
 # Builds the benchmarks and runs them all, one after the other, in a few minutes on generated meshes.
 #
-# usage: benchmark/run_benchmarks.sh [--out FOLDER] [--build FOLDER] [--seconds LIMIT] [MESH_OR_FOLDER...]
+# usage: benchmark/run_benchmarks.sh [--out FOLDER] [--build FOLDER] [--seconds LIMIT] [--reference FILE] [MESH_OR_FOLDER...]
 #
 # Results go to build/benchmark_results; open parameterize.html (the default method: time, memory, work, threads) and methods.html
-# (all methods compared) there. Meshes are given as files, or as folders, of which the files d1_*, d2_*, d3_*, d3p_* and special_*
-# with at most FFM_LARGEST_MESH triangles (60000) are taken, instead of generated ones; if a folder holds PP_FIGURES.tsv, its
-# figures appear beside ours in methods.html. FFM_LADDER (25000,100000,400000), FFM_THREADS (1,2) and FFM_REPEAT (3) are the
-# numbers of triangles, threads and equal runs of parameterize.html.
+# (all methods compared) there. Meshes, disks with or without holes, are given as files, or as folders, of which all OFF, OBJ and PLY
+# files with at most FFM_LARGEST_MESH triangles (60000) are taken, instead of generated ones; figures of another program for the same
+# meshes, a TSV file, appear beside ours in methods.html. FFM_LADDER (25000,100000,400000), FFM_THREADS (1,2) and FFM_REPEAT (3) are
+# the numbers of triangles, threads and equal runs of parameterize.html.
 
 set -e
 root=$(cd "$(dirname "$0")/.." && pwd)
 build="$root/build/benchmark"
 out="$root/build/benchmark_results"
 seconds=60
+reference=
 left=$#
 while [ "$left" -gt 0 ]; do
   case "$1" in
     --out) out=$2; shift 2; left=$((left - 2)) ;;
     --build) build=$2; shift 2; left=$((left - 2)) ;;
+    --reference) reference=$2; shift 2; left=$((left - 2)) ;;
     --seconds) seconds=$2; shift 2; left=$((left - 2)) ;;
     -h|--help) sed -n '9,18s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) set -- "$@" "$1"; shift; left=$((left - 1)) ;;
@@ -62,7 +64,6 @@ run "bar experiments" bar_experiments.csv "$bin/quality_bar_experiments" 20 "$se
 run "methods on a solid" volume_methods_results.csv "$bin/performance_volume_methods" --output "$out"
 
 # Folders give way to their files.
-figures=
 left=$#
 while [ "$left" -gt 0 ]; do
   mesh=$1
@@ -73,7 +74,8 @@ while [ "$left" -gt 0 ]; do
     continue
   fi
   before=$#
-  for file in "$mesh"/d1_* "$mesh"/d2_* "$mesh"/d3_* "$mesh"/d3p_* "$mesh"/special_*; do
+  for file in "$mesh"/*.off "$mesh"/*.obj "$mesh"/*.ply; do
+    [ -f "$file" ] || continue
     case "$file" in
       *.off) faces=$(awk '!/^#/ && NF { for(i = 1; i <= NF; ++i) if($i != "OFF" && ++n == 2) { print $i; exit } }' "$file") ;;
       *.ply) faces=$(awk '/^element face/ { print $3; exit }' "$file") ;;
@@ -83,7 +85,6 @@ while [ "$left" -gt 0 ]; do
     [ "$faces" -le "${FFM_LARGEST_MESH:-60000}" ] && set -- "$@" "$file"
   done
   [ $# -gt "$before" ] || { echo "no meshes in $mesh"; exit 1; }
-  [ -f "$mesh/PP_FIGURES.tsv" ] && figures="$mesh/PP_FIGURES.tsv"
 done
 
 # BLAS has one thread, so that it does not compete with the other threads for processors.
@@ -94,7 +95,7 @@ else
   echo "default method: not built"
 fi
 run "area distortion" area_distortion.csv "$bin/quality_area_distortion" "$@"
-[ -n "$figures" ] && set -- --reference "$figures" "$@"
+[ -n "$reference" ] && set -- --reference "$reference" "$@"
 if [ -x "$bin/quality_run_methods" ]; then
   "$bin/quality_run_methods" --seconds "$seconds" --csv "$out/methods.csv" --html "$out/methods.html" "$@" || failures=$((failures + 1))
 else

@@ -16,6 +16,7 @@ function(room_of header result)
   set(${result} "${room}" PARENT_SCOPE)
 endfunction()
 
+get_filename_component(INCLUDE_DIR "${INCLUDE_DIR}" ABSOLUTE BASE_DIR "${CMAKE_BINARY_DIR}")
 set(folder "${INCLUDE_DIR}/CGAL/Flip_free_maps")
 file(GLOB_RECURSE headers RELATIVE "${folder}" "${folder}/*.h")
 if(NOT headers)
