@@ -141,7 +141,7 @@ private:
   std::vector<std::pair<std::size_t, std::size_t>> m_repeated; // see `repeated_handles()`
   Positions<D> m_positions;
   Positions<D> m_x; // in the domain's units
-  Map_minimizer<D, Traits> m_minimizer;
+  typename Traits::template Minimizer<D, Traits> m_minimizer;
 };
 
 /// \ingroup PkgFlipFreeMapsRef

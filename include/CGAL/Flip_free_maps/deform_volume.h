@@ -100,7 +100,7 @@ Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handle
     for(const auto& [i, j] : internal::repeated_handles(constraints.fixed_vertices))
       if(exact_places[i].second != exact_places[j].second)
         return fail(Status::invalid_option, internal::TWO_TARGETS);
-    Map_minimizer<3, Traits> minimizer(domain, traits, constraints);
+    typename Traits::template Minimizer<3, Traits> minimizer(domain, traits, constraints);
     minimizer.move_fixed_vertices(x, targets, summary);
     if(!summary.is_valid())
       return;

@@ -166,7 +166,7 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     if(options.polish && !is_stopped) {
       const Summary before = summary;
       Positions<D> polished = result;
-      Map_minimizer<D, Traits> minimizer(domain, traits, used);
+      typename Traits::template Minimizer<D, Traits> minimizer(domain, traits, used);
       minimizer.minimize(polished, summary);
       if(summary.is_valid())
         result = polished;

@@ -179,7 +179,7 @@ private:
   {
     // Errors of coarse levels are expensive to repair on finer ones, where they are errors of long waves.
     m_traits.options.relative_energy_tolerance = m_traits.start.level_tolerance * (std::min)(1., level.number_of_elements() / 2e4);
-    const Summary summary = Map_minimizer<2, Traits>(level, m_traits).minimize(y);
+    const Summary summary = typename Traits::template Minimizer<2, Traits>(level, m_traits).minimize(y);
     if(!summary.is_valid()) {
       message = "a simplified surface could not be optimised: " + summary.message;
       return summary.status;

@@ -139,7 +139,7 @@ Seam_summary meet_seam_constraints(const Simplicial_domain<2>& domain, Positions
   term->weight = options.first_weight;
   {
     Position_constraints<2> none;
-    Map_minimizer<2, Traits> minimizer(domain, traits, none);
+    typename Traits::template Minimizer<2, Traits> minimizer(domain, traits, none);
     Positions<2> z = x;
     minimizer.minimize(z, summary);
     if(summary.status != Status::success)
@@ -158,7 +158,7 @@ Seam_summary meet_seam_constraints(const Simplicial_domain<2>& domain, Positions
 
   const bool is_free = constraints.fixed_vertices.size() < seams.size();
   if(is_free || options.relation == Seam_relation::similarity) {
-    Map_minimizer<2, Traits> minimizer(extended, traits, constraints);
+    typename Traits::template Minimizer<2, Traits> minimizer(extended, traits, constraints);
     minimizer.add_term(term);
     if(options.relation == Seam_relation::similarity) {
       if(!internal::meet(minimizer, *term, options, y, summary))
@@ -189,7 +189,7 @@ Seam_summary meet_seam_constraints(const Simplicial_domain<2>& domain, Positions
         y.col(t) = internal::nearest_quarter_turn(y.col(t));
         constraints.fixed_vertices.push_back(t);
       }
-    Map_minimizer<2, Traits> minimizer(extended, traits, constraints);
+    typename Traits::template Minimizer<2, Traits> minimizer(extended, traits, constraints);
     minimizer.add_term(term);
     if(!internal::meet(minimizer, *term, options, y, summary))
       return summary;

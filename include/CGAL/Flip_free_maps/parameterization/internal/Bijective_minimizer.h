@@ -37,6 +37,8 @@ namespace internal {
 template <typename Traits>
 class Bijective_minimizer
 {
+  using Minimizer = typename Traits::template Minimizer<2, Traits>;
+
 public:
   // Keeps references to `domain` and `constraints`.
   Bijective_minimizer(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints)
@@ -224,7 +226,7 @@ private:
     traits.options.target_energy = -std::numeric_limits<double>::infinity();
     set_options(traits.options, summary, STEPS, m_weight * energy, true);
     Positions<2> y = scaffold.positions();
-    Map_minimizer<2, Traits>(extended, traits, constraints).minimize(y, summary);
+    Minimizer(extended, traits, constraints).minimize(y, summary);
     if(summary.is_valid()) {
       x = y.leftCols(m_domain.number_of_vertices);
       if(!m_is_throttled)
@@ -244,7 +246,7 @@ private:
   const Simplicial_domain<2>& m_domain;
   const Traits m_traits;
   const Position_constraints<2>& m_constraints;
-  Map_minimizer<2, Traits> m_minimizer;
+  Minimizer m_minimizer;
   int m_first_iteration = 0;
   double m_time_end = 0;
   double m_weight = WEIGHT;

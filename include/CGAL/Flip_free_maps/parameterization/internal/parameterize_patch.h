@@ -22,20 +22,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <string>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
-
-template <typename Minimizer, typename = void>
-struct Has_analyze : std::false_type
-{};
-
-template <typename Minimizer>
-struct Has_analyze<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().analyze(std::declval<Summary&>()))>> : std::true_type
-{};
 
 // Makes a start by `start()`, which tells whether it succeeded, and minimises. The pattern of the matrix does not depend on the
 // start, so both are found at the same time; but not where the start may be the solution.
@@ -43,20 +34,15 @@ template <typename Traits, typename Start>
 void start_and_minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
                         Positions<2>& x, Summary& summary)
 {
-  using Minimizer = Map_minimizer<2, Traits>;
-  Minimizer minimizer(domain, traits, constraints);
+  typename Traits::template Minimizer<2, Traits> minimizer(domain, traits, constraints);
   bool is_started = false;
-  if constexpr(Has_analyze<Minimizer>::value) {
-    if(traits.start.unfold) {
-      is_started = start();
-    } else {
-      Summary analysis;
-      parallel_invoke<typename Traits::Concurrency_tag>([&] { is_started = start(); }, [&] { minimizer.analyze(analysis); });
-      summary.seconds.analyze += analysis.seconds.analyze;
-      summary.seconds.assemble += analysis.seconds.assemble;
-    }
-  } else {
+  if(traits.start.unfold) {
     is_started = start();
+  } else {
+    Summary analysis;
+    parallel_invoke<typename Traits::Concurrency_tag>([&] { is_started = start(); }, [&] { minimizer.analyze(analysis); });
+    summary.seconds.analyze += analysis.seconds.analyze;
+    summary.seconds.assemble += analysis.seconds.assemble;
   }
   if(is_started)
     minimizer.minimize(x, summary);
