@@ -37,20 +37,8 @@ public:
       report = FFM::measure_distortion(mesh);
     std::string reason;
     const bool is_bijective = report.status == Status::success && FFM::is_bijective(mesh, &reason);
-    nlohmann::json json = {{"status", FFM::status_name(report.status)},
-                           {"message", report.message},
-                           {"faces", report.elements},
-                           {"flips", report.flips},
-                           {"bijective", is_bijective},
-                           {"energy", report.energy},
-                           {"energy_of_similarity", report.energy_of_similarity},
-                           {"max_energy", report.max_energy},
-                           {"mean_angle_distortion", report.mean_angle_distortion},
-                           {"mean_area_distortion", report.mean_area_distortion},
-                           {"min_singular_value", report.min_singular_value},
-                           {"max_singular_value", report.max_singular_value},
-                           {"rest_area", report.rest_area},
-                           {"image_area", report.image_area}};
+    nlohmann::json json = report;
+    json["bijective"] = is_bijective;
     try {
       write_json(m_json, json);
     } catch(const Failure& failure) {

@@ -35,11 +35,11 @@ namespace Flip_free_maps {
 /// \param mesh a triangle mesh
 /// \param uv_map its uv map
 /// \param np optional named parameters: `vertex_point_map`, as in `parameterize()`
-template <typename TriangleMesh, typename VertexUVMap, typename NamedParameters = parameters::Default_named_parameters>
-Textured_mesh textured_mesh(const TriangleMesh& mesh, VertexUVMap uv_map, const NamedParameters& np = parameters::default_values())
+template <typename TriangleMesh, typename VertexUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Textured_mesh textured_mesh(const TriangleMesh& mesh, VertexUVMap uv_map, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                                          get_const_property_map(CGAL::vertex_point, mesh));
+  const auto vertex_points = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                                                get_const_property_map(CGAL::vertex_point, mesh));
   Textured_mesh result;
   std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> numbers;
   for(const auto face : faces(mesh)) {

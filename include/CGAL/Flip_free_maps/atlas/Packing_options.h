@@ -9,7 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_PACKING_OPTIONS_H
 
 #include <CGAL/Flip_free_maps/internal/error_message.h>
-#include <CGAL/Flip_free_maps/report/Status.h>
+#include <CGAL/Flip_free_maps/report/Outcome.h>
 
 #include <string>
 
@@ -35,16 +35,21 @@ struct Packing_options
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The account of a packing.
-struct Packing_summary
+struct Packing_summary : Outcome
 {
-  Status status = Status::invalid_option; ///< `success`, or why nothing was written
-  std::string message = "not run";        ///< a sentence that says why
-  int charts = 0;                         ///< number of charts
-  double scale = -1;                      ///< the factor from the lengths of the charts to those in the unit square
-  double occupancy = -1;                  ///< the part of the unit square that is covered
+  int charts = 0;        ///< number of charts
+  double scale = -1;     ///< the factor from the lengths of the charts to those in the unit square
+  double occupancy = -1; ///< the part of the unit square that is covered
 
-  /// `true` when the charts were packed.
-  bool is_valid() const { return status == Status::success; }
+  /// Calls `visit(name, value)` for each field.
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    Outcome::for_each_field(visit);
+    visit("charts", charts);
+    visit("scale", scale);
+    visit("occupancy", occupancy);
+  }
 };
 
 } // namespace Flip_free_maps

@@ -208,6 +208,7 @@ private:
   {
     summary.vertices = m_domain.number_of_vertices;
     summary.elements = m_domain.number_of_elements();
+    summary.dimension = D;
     summary.energy_name = Traits::Energy::name();
     summary.preconditioner = Preconditioner::name();
     summary.reference = Traits::Reference::name();

@@ -57,12 +57,21 @@ struct Seam_options
 
 /// \ingroup PkgFlipFreeMapsSeams
 /// The account of a map with constrained seams.
-struct Seam_summary : public Summary
+struct Seam_summary : Summary
 {
   double residual = -1; ///< the greatest residual of a seam's edge, over the length of the seam
   /// For each seam the (a, b) of T = [a b; -b a], which takes its left side to its right one; a rotation by t has (cos t,
   /// -sin t).
   std::vector<internal::Vector<2>> transformations;
+
+  /// Calls `visit(name, value)` for each field.
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    Summary::for_each_field(visit);
+    visit("residual", residual);
+    visit("transformations", transformations);
+  }
 };
 
 namespace internal {

@@ -157,6 +157,7 @@ public:
   {
     summary.vertices = m_domain.number_of_vertices;
     summary.elements = m_domain.number_of_elements();
+    summary.dimension = D;
     if constexpr(internal::Holds_energy<Energy>::value)
       summary.energy_name = m_traits.energy.energy_name();
     else

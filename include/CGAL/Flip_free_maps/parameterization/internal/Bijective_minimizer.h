@@ -125,7 +125,7 @@ private:
   {
     const Phase_timer timer(summary.seconds.certify);
     summary.is_bijective = is_bijective(m_domain, x);
-    return summary.is_bijective == 1;
+    return *summary.is_bijective;
   }
 
   bool embed(Positions<2>& x, Summary& summary) const
@@ -282,7 +282,7 @@ struct Bijective_minimization
       converted.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]);
     }
     summary.is_bijective = is_bijective(domain, converted, &summary.message);
-    if(summary.is_bijective == 1)
+    if(*summary.is_bijective)
       return true;
     summary.status = Status::not_bijective;
     summary.message = "the map overlaps itself when it is converted to the number type of the result: " + summary.message;
