@@ -14,10 +14,10 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_surface.h>
 #include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
 #include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
-#include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -252,9 +252,10 @@ private:
     };
     std::vector<Point_2> uv(open.points.cols());
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
-    summary = parameterize_patch(open.mesh, border, open.mesh.points(), uv_map, traits,
-                                 [&traits](const Simplicial_domain<2>& domain, const auto&, Positions<2>& start, std::string& name,
-                                           std::string& message) { return make_start(domain, traits, start, name, message); });
+    Planar_solver<Traits> solver{traits};
+    summary = parameterize_patch(
+      open.mesh, border, open.mesh.points(), uv_map, traits.options,
+      [](const auto&, Planar_request&, std::string&) { return Status::success; }, [](Vertex, Vector<2>&) { return false; }, solver);
     x.resize(2, uv.size());
     if(summary.is_valid())
       for(std::size_t v = 0; v < uv.size(); ++v)
