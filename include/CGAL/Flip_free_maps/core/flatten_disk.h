@@ -30,7 +30,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void solve_planar(const Planar_request& request, Defa
 
 // Certifies a map as it will be written, and counts its flips.
 CGAL_FLIP_FREE_MAPS_INLINE bool certify_planar(const Planar_request& request, const Default_method& method, const Positions<2>& written,
-                                              Summary& summary);
+                                               Summary& summary);
 
 } // namespace internal
 } // namespace Flip_free_maps

@@ -26,7 +26,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void solve_planar(const Planar_request& request, Defa
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool certify_planar(const Planar_request& request, const Default_method&, const Positions<2>& written,
-                                              Summary& summary)
+                                               Summary& summary)
 {
   return certify_flips<Flip_free_map_traits<>::Kernel>(request.domain, written, summary);
 }
