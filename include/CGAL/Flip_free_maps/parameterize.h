@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_PARAMETERIZE_H
 
 #include <CGAL/Flip_free_maps/core/flatten_disk.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -102,8 +104,8 @@ namespace Flip_free_maps {
 /// some hundred bytes per face.
 template <typename TriangleMesh, typename VertexUVMap, typename Traits,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                     VertexUVMap uv_map, const Traits& traits, const NamedParameters& np)
+Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
+                     const Traits& traits, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -175,28 +177,56 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with default named parameters.
 template <typename TriangleMesh, typename VertexUVMap, typename Traits>
-Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                     VertexUVMap uv_map, const Traits& traits)
+Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
+                     const Traits& traits)
 {
   return parameterize(mesh, border_halfedge, uv_map, traits, CGAL::parameters::default_values());
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same with the default method.
+/// The same with the method as a named parameter: `Flip_free_maps::parameters::map_traits` and `map_options`.
 template <typename TriangleMesh, typename VertexUVMap, typename T, typename Tag, typename Base>
-Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                     VertexUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
+                     const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
-  return parameterize(mesh, border_halfedge, uv_map, internal::Default_method(), np);
+  return parameterize(mesh, border_halfedge, uv_map, internal::chosen_traits<internal::Default_method>(np), np);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with the default method and default named parameters.
 template <typename TriangleMesh, typename VertexUVMap>
-Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                     VertexUVMap uv_map)
+Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map)
 {
   return parameterize(mesh, border_halfedge, uv_map, internal::Default_method(), CGAL::parameters::default_values());
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays. The component of the longest border is flattened.
+///
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
+/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param uv a container of planar points, which becomes as long as `points` if the map is valid, and is left untouched otherwise;
+///   points that the component does not use get the value (0, 0)
+/// \param np optional named parameters, as above, with indices as keys of property maps
+/// \returns as above; also `invalid_option` for an index out of range
+template <typename PointRange, typename TriangleRange, typename UVRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Summary parameterize(const PointRange& points, const TriangleRange& triangles, UVRange& uv,
+                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Point = typename UVRange::value_type;
+  internal::Triangle_surface surface;
+  Summary summary;
+  summary.status = surface.load(points, triangles, summary.message);
+  if(summary.status != Status::success)
+    return summary;
+  std::vector<Point> values(surface.number_of_vertices(), internal::make_point_2<Point>(0, 0));
+  summary = parameterize(surface, {surface.longest_border()}, internal::Array_map<Point>{&values},
+                         internal::chosen_traits<internal::Default_method>(np), np);
+  if(summary.is_valid())
+    uv = UVRange(values.begin(), values.end());
+  return summary;
 }
 
 } // namespace Flip_free_maps

@@ -39,21 +39,6 @@ namespace Flip_free_maps {
 
 namespace internal {
 
-// The halfedges of a mesh. Domains and arrays have none, so that the functions for meshes are out of the question for them.
-template <typename TriangleMesh, bool IsArray = Is_array<TriangleMesh>::value>
-struct Halfedge_of
-{
-  using type = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-};
-
-template <typename Array>
-struct Halfedge_of<Array, true>
-{};
-
-template <int D>
-struct Halfedge_of<Simplicial_domain<D>, false>
-{};
-
 // The symmetric gradient energy with another method's kernel, linear solver and concurrency.
 template <typename Traits>
 struct Repair_traits

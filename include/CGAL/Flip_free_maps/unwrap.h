@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
 #include <CGAL/Flip_free_maps/core/unwrap_triangles.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
@@ -229,7 +230,59 @@ template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Ta
 Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options,
                       const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
-  return unwrap(mesh, uv_map, options, internal::Default_method(), np);
+  return unwrap(mesh, uv_map, options, internal::chosen_traits<internal::Default_method>(np), np);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with everything else as named parameters: `map_traits`, `map_options` and `unwrap_options` of
+/// `Flip_free_maps::parameters` beside those above.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
+Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return unwrap(mesh, uv_map, internal::parameter_or(np, internal::unwrap_options_tag, Unwrap_options()),
+                internal::chosen_traits<internal::Default_method>(np), np);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays.
+///
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
+/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param uv_of_corners receives the images of the corners of each triangle, in the order of its indices: a container of
+///   `std::array<Point_2, 3>`; it is left untouched if the atlas is not valid
+/// \param np optional named parameters: `map_traits`, `map_options` and `unwrap_options`
+/// \returns as above; also `invalid_option` for an index out of range
+template <typename PointRange, typename TriangleRange, typename CornerRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Unwrap_summary unwrap(const PointRange& points, const TriangleRange& triangles, CornerRange& uv_of_corners,
+                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Corners = typename CornerRange::value_type;
+  using Point = std::decay_t<decltype(std::declval<Corners>()[0])>;
+  Unwrap_summary summary;
+  const auto run = [&] {
+    internal::Triangle_surface surface;
+    summary.status = surface.load(points, triangles, summary.message);
+    if(summary.status != Status::success)
+      return;
+    internal::Atlas_request request;
+    request.points = surface.points();
+    request.triangles = surface.triangles();
+    request.is_single_precision = std::is_same_v<internal::Coordinate<Point>, float>;
+    internal::Atlas_result result;
+    auto method = internal::chosen_traits<internal::Default_method>(np);
+    unwrap_triangles(request, internal::parameter_or(np, internal::unwrap_options_tag, Unwrap_options()), method, result, summary);
+    if(!summary.is_valid())
+      return;
+    std::vector<Corners> corners(result.images.size());
+    for(std::size_t f = 0; f < corners.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        corners[f][k] = internal::make_point_2<Point>(result.images[f][k][0], result.images[f][k][1]);
+    uv_of_corners = CornerRange(corners.begin(), corners.end());
+  };
+  internal::catch_out_of_memory(run, summary);
+  return summary;
 }
 
 /// \ingroup PkgFlipFreeMapsRef

@@ -76,6 +76,21 @@ struct Is_array<Range,
   : std::true_type
 {};
 
+// The halfedges of a mesh. Domains and arrays have none, so that the functions for meshes are out of the question for them.
+template <typename TriangleMesh, bool IsArray = Is_array<TriangleMesh>::value>
+struct Halfedge_of
+{
+  using type = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+};
+
+template <typename Array>
+struct Halfedge_of<Array, true>
+{};
+
+template <int D>
+struct Halfedge_of<Simplicial_domain<D>, false>
+{};
+
 // Brings coordinates of any magnitude into the unit cube, before areas are formed. `low` is half of the lower corner, in the given
 // units, and `extent` the factor back.
 inline Status normalize_extent(Positions<3>& points, Eigen::Vector3d& low, double& extent, std::string& message)
@@ -411,6 +426,14 @@ struct property_map<CGAL::Flip_free_maps::internal::Triangle_surface, CGAL::vert
 };
 
 } // namespace boost
+
+namespace CGAL {
+
+template <>
+struct graph_has_property<Flip_free_maps::internal::Triangle_surface, CGAL::vertex_point_t> : Tag_true
+{};
+
+} // namespace CGAL
 
 namespace std {
 
