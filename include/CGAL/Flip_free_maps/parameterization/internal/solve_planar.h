@@ -18,7 +18,6 @@
 #include <CGAL/Flip_free_maps/parameterization/internal/Planar_request.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
-
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
@@ -58,7 +57,8 @@ template <typename Traits>
 void solve_planar(const Planar_request& request, Traits& traits, Positions<2>& x, Summary& summary)
 {
   adapt_to_developable(request.domain, traits);
-  start_and_minimize(request, traits, [&] { return make_requested_start(request, traits, x, summary); }, x, summary);
+  start_and_minimize(
+    request, traits, [&] { return make_requested_start(request, traits, x, summary); }, x, summary);
 }
 
 // Certifies a map as it will be written, and counts its flips.
