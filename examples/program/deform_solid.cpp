@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/IO/VTU.h>
 #include <CGAL/Flip_free_maps/IO/volume_files.h>
 #include <CGAL/Flip_free_maps/deform_volume.h>
+#include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 
 #include <algorithm>
@@ -32,9 +33,10 @@ std::vector<double> distortions(const FFM::Simplicial_domain<3>& domain, const F
     const Kernel::Point_3& p = points[numbers.vertices()[v]];
     x.col(v) = numbers.to_domain(Eigen::Vector3d(p.x(), p.y(), p.z()));
   }
+  const FFM::Map_measure<3> measure(domain);
   std::vector<double> result;
   for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
-    const auto s = FFM::internal::signed_singular_values(domain.jacobian(e, x));
+    const Eigen::Vector3d s = measure.singular_values(x, e);
     result.push_back(s[2] > 0 ? (std::min)(FFM::Symmetric_dirichlet().value<3>(s), 1e30) : 1e30);
   }
   return result;

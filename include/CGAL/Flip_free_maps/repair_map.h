@@ -15,7 +15,7 @@
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/minimizer/polish_map.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/repair/Foldover_free.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
@@ -153,19 +153,8 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     if(!summary.is_valid())
       return;
 
-    if(options.polish && !is_stopped) {
-      const Summary before = summary;
-      Positions<D> polished = result;
-      typename Traits::template Minimizer<D, Traits> minimizer(domain, traits, used);
-      minimizer.minimize(polished, summary);
-      if(summary.is_valid())
-        result = polished;
-      else {
-        const std::string message = before.message + "; not polished: " + summary.message;
-        summary = before;
-        summary.message = message;
-      }
-    }
+    if(options.polish && !is_stopped)
+      polish_map(domain, traits, used, result, summary);
     x = result;
   };
   internal::account_run(summary, run);

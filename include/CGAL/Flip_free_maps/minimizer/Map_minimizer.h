@@ -85,9 +85,15 @@ public:
   Map_minimizer(const Map_minimizer&) = delete;
   Map_minimizer& operator=(const Map_minimizer&) = delete;
 
-  /// Minimises `term` along with the energy, from the next run on. The term may change between runs, except for its stencils.
-  /// \pre Nothing was minimised yet.
-  void add_term(std::shared_ptr<const Objective_term<D>> term) { m_objective.add_term(std::move(term)); }
+  /// Minimises `term` along with the energy, from the next run on, which analyses the pattern of the matrix anew. The term may
+  /// change between runs, except for its stencils.
+  void add_term(std::shared_ptr<const Objective_term<D>> term)
+  {
+    if(term == nullptr)
+      return;
+    m_objective.add_term(std::move(term));
+    m_is_analyzed = m_is_factorized = false;
+  }
 
   /// The settings; they may be changed between runs.
   Map_options& options() { return m_traits.options; }
@@ -105,7 +111,7 @@ public:
       const internal::Phase_timer timer(summary.seconds.assemble);
       m_objective.build_pattern();
     }
-    m_solver.set_summary(summary);
+    const auto reporting = m_solver.report_to(summary);
     m_is_analyzed = m_objective.number_of_unknowns() == 0 || m_solver.analyze_pattern(m_objective.matrix());
     return m_is_analyzed;
   }
@@ -114,7 +120,7 @@ public:
   ///
   /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged
   /// \returns what happened. The status is one of `success`, `iteration_limit`, `time_limit` and `stopped_by_observer`, or a
-  ///   failure: `invalid_option`, `start_not_flip_free`, `linear_solver_failed`, `line_search_failed` or `out_of_memory`. No
+  ///   failure: `invalid_option` (also of a term whose matrix has blocks outside its stencils), `start_not_flip_free`, `linear_solver_failed`, `line_search_failed` or `out_of_memory`. No
   ///   exception is thrown but those of the observer.
   Summary minimize(Positions<D>& x)
   {
@@ -223,6 +229,7 @@ private:
       return;
     }
     try {
+      const auto reporting = m_solver.report_to(summary);
       Positions<D> result = x;
       Run run(result, summary);
       body(run);
@@ -243,7 +250,6 @@ private:
     run.options = m_traits.options;
     run.time_begin = internal::wall_seconds();
     run.first_iteration = summary.iterations;
-    m_solver.set_summary(summary);
     {
       const internal::Phase_timer timer(summary.seconds.certify);
       summary.flips = run.x.allFinite() ? flips(run.x) : m_domain.number_of_elements();
@@ -326,6 +332,10 @@ private:
       if(!analyze_or_fail(summary))
         return false;
       differentiate(run, assembles);
+    }
+    if(!m_objective.terms_keep_to_stencils()) {
+      finish(summary, Status::invalid_option, FOREIGN_BLOCK);
+      return false;
     }
 
     if(with_matrix && !factorize(run)) {
@@ -692,7 +702,10 @@ private:
       }
       const bool reuses = m_is_factorized && round == 0 && options.keep_factorization;
       if(!find_drag(run, handles, reuses)) {
-        finish(summary, Status::linear_solver_failed, "no direction was found while the fixed vertices moved");
+        if(m_objective.terms_keep_to_stencils())
+          finish(summary, Status::linear_solver_failed, "no direction was found while the fixed vertices moved");
+        else
+          finish(summary, Status::invalid_option, FOREIGN_BLOCK);
         return false;
       }
       const double largest = allows_flips() ? std::numeric_limits<double>::infinity() : m_objective.largest_step(run.x, run.displacement);
@@ -746,7 +759,8 @@ private:
     Eigen::VectorXd product;
     m_objective.multiply(m_traits.reference, run.x, handles, product);
     differentiate(run, !reuses);
-    if((!reuses && !factorize(run)) || !m_solver.solve(Eigen::VectorXd(run.gradient + product), run.direction))
+    if(!m_objective.terms_keep_to_stencils() || (!reuses && !factorize(run)) ||
+       !m_solver.solve(Eigen::VectorXd(run.gradient + product), run.direction))
       return false;
     m_objective.spread(-run.direction, run.displacement);
     run.displacement += handles;
@@ -770,6 +784,7 @@ private:
 
   std::int64_t flips(const Positions<D>& x) const { return internal::count_flips<Kernel, Tag>(m_domain, m_objective.schedule(), x); }
 
+  static constexpr const char* FOREIGN_BLOCK = "the matrix of a term has a block of two vertices that share none of its stencils";
   // Relative stiffness on the diagonal for the rotations, which are in the null space of some preconditioners.
   static constexpr double BASE_SHIFT = 1e-9;
   static constexpr int MAX_RETRIES = 5;
