@@ -15,6 +15,7 @@
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/minimizer/polish_map.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/repair/Foldover_free.h>
@@ -154,7 +155,7 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
       return;
 
     if(options.polish && !is_stopped)
-      polish_map(domain, traits, used, result, summary);
+      polish_map<typename Traits::template Minimizer<D, Traits>>(domain, traits, used, result, summary);
     x = result;
   };
   internal::account_run(summary, run);

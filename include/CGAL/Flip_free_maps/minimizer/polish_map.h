@@ -10,7 +10,6 @@
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <string>
@@ -21,17 +20,19 @@ namespace Flip_free_maps {
 /// Minimises the distortion of a map that is valid already. Where that fails the map stays as it is, and so does the summary, but
 /// for its message.
 ///
+/// \tparam Minimizer `Map_minimizer<D, Traits>`, or what the traits call their `Minimizer`
+///
 /// \param domain the simplices with their rest shapes
 /// \param traits the method and its settings
 /// \param constraints vertices that are fixed or pulled to places
 /// \param x a map without flips
 /// \param summary how the map was found; counts and times are added to it
-template <int D, typename Traits>
+template <typename Minimizer, int D, typename Traits>
 void polish_map(const Simplicial_domain<D>& domain, const Traits& traits, const Position_constraints<D>& constraints, Positions<D>& x,
                 Summary& summary)
 {
   const Summary before = summary;
-  Map_minimizer<D, Traits> minimizer(domain, traits, constraints);
+  Minimizer minimizer(domain, traits, constraints);
   minimizer.minimize(x, summary);
   if(summary.is_valid())
     return;

@@ -17,6 +17,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/method/concepts.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/minimizer/polish_map.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 #include <CGAL/Flip_free_maps/splitting/Admm_splitting_step.h>
@@ -413,7 +414,7 @@ private:
     const std::string splitting = "splitting, " + std::to_string(summary.iterations) + " iterations: " + summary.message;
     summary.start += summary.start.empty() ? splitting : ", then " + splitting;
     const double energy_initial = summary.energy_initial;
-    polish_map(m_domain, m_traits, m_constraints, x, summary);
+    polish_map<Map_minimizer<D, Traits>>(m_domain, m_traits, m_constraints, x, summary);
     summary.energy_initial = energy_initial;
   }
 

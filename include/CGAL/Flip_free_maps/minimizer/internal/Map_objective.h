@@ -205,6 +205,8 @@ public:
     gradient += unknowns;
   }
 
+  static constexpr const char* FOREIGN_BLOCK = "the matrix of a term has a block of two vertices that share none of its stencils";
+
   // Whether the last derivatives had no block of a term outside its stencils.
   bool terms_keep_to_stencils() const { return m_terms_keep_to_stencils; }
 
