@@ -6,7 +6,9 @@
 // Author(s)     : The Flip_free_maps authors
 
 #include "deform.h"
-#include "splitting.h"
+
+#include "../commands.h"
+#include "../splitting.h"
 
 #include <CGAL/Flip_free_maps/IO/volume_files.h>
 #include <CGAL/Flip_free_maps/map_volume.h>

@@ -6,7 +6,8 @@
 // Author(s)     : The Flip_free_maps authors
 
 #include "deform.h"
-#include "splitting.h"
+
+#include "../splitting.h"
 
 #include <CGAL/Flip_free_maps/IO/Surface_picture.h>
 #include <CGAL/Flip_free_maps/IO/VTU.h>

@@ -5,7 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#include "common.h"
+#include "../commands.h"
+#include "../report.h"
 
 #include <CGAL/Flip_free_maps/IO/OBJ.h>
 #include <CGAL/Flip_free_maps/is_bijective.h>

@@ -5,7 +5,10 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#include "splitting.h"
+#include "../commands.h"
+#include "../layout.h"
+#include "../report.h"
+#include "../splitting.h"
 
 #include <CGAL/Flip_free_maps/bijective.h>
 #include <CGAL/Flip_free_maps/parameterize.h>

@@ -7,10 +7,11 @@
 
 // The sub-command deform, in its two kinds.
 
-#ifndef FLIP_FREE_MAPS_PROGRAM_DEFORM_H
-#define FLIP_FREE_MAPS_PROGRAM_DEFORM_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_COMMANDS_DEFORM_H
+#define FLIP_FREE_MAPS_PROGRAM_COMMANDS_DEFORM_H
 
-#include "common.h"
+#include "../layout.h"
+#include "../report.h"
 
 #include <CGAL/Flip_free_maps/IO/Handles.h>
 #include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
@@ -43,4 +44,4 @@ void write_solid(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh&
 
 } // namespace program
 
-#endif // FLIP_FREE_MAPS_PROGRAM_DEFORM_H
+#endif // FLIP_FREE_MAPS_PROGRAM_COMMANDS_DEFORM_H

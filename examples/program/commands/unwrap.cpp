@@ -5,7 +5,9 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#include "common.h"
+#include "../commands.h"
+#include "../layout.h"
+#include "../report.h"
 
 #include <CGAL/Flip_free_maps/IO/OBJ.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
