@@ -11,8 +11,8 @@
 
 #include "volume_report.h"
 
-#include <CGAL/Flip_free_maps/IO/Handles.h>
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include "program/formats/Handles.h"
+#include "program/formats/volume_files.h"
 #include <CGAL/Flip_free_maps/constraints/Soft_positions.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/energies/Exponential_amips.h>

@@ -9,8 +9,8 @@
 
 #include "repair_polygons.h"
 
+#include "formats/volume_files.h"
 #include <CGAL/Flip_free_maps/IO/OBJ.h>
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/border.h>

@@ -7,7 +7,9 @@
 
 #include "layout.h"
 
-#include <CGAL/Flip_free_maps/io.h>
+#include "pictures/Layout_picture.h"
+
+#include <CGAL/Flip_free_maps/IO/OBJ.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
 #include <algorithm>
@@ -16,10 +18,17 @@
 
 namespace program {
 
+void refuse_without_cairo([[maybe_unused]] CLI::Option* option)
+{
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CAIRO
+  option->check([](const std::string&) { return "this program was built without Cairo, which draws the pictures"; }, "");
+#endif
+}
+
 void add_picture_options(CLI::App& command, Picture_arguments& arguments)
 {
-  command.add_option("--svg", arguments.svg, "draw the result, coloured by distortion");
-  command.add_option("--png", arguments.png, "draw the result, coloured by distortion");
+  refuse_without_cairo(command.add_option("--svg", arguments.svg, "draw the result, coloured by distortion"));
+  refuse_without_cairo(command.add_option("--png", arguments.png, "draw the result, coloured by distortion"));
   command.add_option("--picture-width", arguments.width, "width of the drawings in pixels")
     ->check(CLI::Range(320, 16000))
     ->capture_default_str();

@@ -12,7 +12,7 @@
 
 #include "files.h"
 
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CLI/CLI.hpp>
@@ -28,6 +28,9 @@ struct Picture_arguments
   std::string svg, png;
   int width = 1200;
 };
+
+// Before anything is computed, not when the picture is due.
+void refuse_without_cairo(CLI::Option* option);
 
 void add_picture_options(CLI::App& command, Picture_arguments& arguments);
 

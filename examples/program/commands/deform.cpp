@@ -10,7 +10,7 @@
 #include "../commands.h"
 #include "../splitting.h"
 
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include "../formats/volume_files.h"
 #include <CGAL/Flip_free_maps/deform.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 

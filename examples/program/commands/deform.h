@@ -13,9 +13,9 @@
 #include "../layout.h"
 #include "../report.h"
 
-#include <CGAL/Flip_free_maps/IO/Handles.h>
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
+#include "../formats/Handles.h"
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
 #include <vector>
 

@@ -9,9 +9,9 @@
 
 #include "../splitting.h"
 
-#include <CGAL/Flip_free_maps/IO/Surface_picture.h>
-#include <CGAL/Flip_free_maps/IO/VTU.h>
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include "../formats/VTU.h"
+#include "../formats/volume_files.h"
+#include "../pictures/Surface_picture.h"
 #include <CGAL/Flip_free_maps/deform_volume.h>
 #include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>

@@ -10,7 +10,7 @@
 #include "../commands.h"
 #include "../splitting.h"
 
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include "../formats/volume_files.h"
 #include <CGAL/Flip_free_maps/map_volume.h>
 
 #include <array>
@@ -41,7 +41,7 @@ public:
       ->capture_default_str();
     app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
     add_limit_options(*app, m_arguments.method);
-    app->add_option("--png", m_arguments.pictures.png, "draw the solid before and after, coloured by distortion");
+    refuse_without_cairo(app->add_option("--png", m_arguments.pictures.png, "draw the solid before and after, coloured by distortion"));
     app->add_option("--picture-width", m_arguments.pictures.width, "width of the drawing in pixels")
       ->check(CLI::Range(320, 16000))
       ->capture_default_str();

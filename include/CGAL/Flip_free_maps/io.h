@@ -8,9 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_IO_H
 #define CGAL_FLIP_FREE_MAPS_IO_H
 
-#include <CGAL/Flip_free_maps/IO/Layout_picture.h>
 #include <CGAL/Flip_free_maps/IO/OBJ.h>
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

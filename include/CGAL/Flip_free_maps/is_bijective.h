@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_IS_BIJECTIVE_H
 #define CGAL_FLIP_FREE_MAPS_IS_BIJECTIVE_H
 
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/internal/error_message.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_MEASURE_DISTORTION_H
 #define CGAL_FLIP_FREE_MAPS_MEASURE_DISTORTION_H
 
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/measure/Distortion_report.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_H
 #define CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_H
 
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/internal/error_message.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/report/Outcome.h>

@@ -10,7 +10,7 @@
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
 
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/domains/internal/tetgen.h>
 #include <CGAL/Flip_free_maps/internal/error_message.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>

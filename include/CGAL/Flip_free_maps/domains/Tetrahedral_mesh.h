@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_TETRAHEDRAL_MESH_H
-#define CGAL_FLIP_FREE_MAPS_IO_TETRAHEDRAL_MESH_H
+#ifndef CGAL_FLIP_FREE_MAPS_DOMAINS_TETRAHEDRAL_MESH_H
+#define CGAL_FLIP_FREE_MAPS_DOMAINS_TETRAHEDRAL_MESH_H
 
 #include <algorithm>
 #include <array>
@@ -91,4 +91,4 @@ inline std::vector<std::array<int, 3>> boundary_triangles(const Tetrahedral_mesh
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_TETRAHEDRAL_MESH_H
+#endif // CGAL_FLIP_FREE_MAPS_DOMAINS_TETRAHEDRAL_MESH_H

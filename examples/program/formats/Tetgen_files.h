@@ -5,12 +5,12 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_TETGEN_FILES_H
-#define CGAL_FLIP_FREE_MAPS_IO_TETGEN_FILES_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_TETGEN_FILES_H
+#define FLIP_FREE_MAPS_PROGRAM_FORMATS_TETGEN_FILES_H
 
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/IO/internal/Word_reader.h>
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-/// \file
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -102,8 +100,6 @@ inline std::pair<std::string, std::string> tetgen_file_names(const std::string& 
 } // namespace internal
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   reads a tetrahedral mesh from the pair of files `name.node` and `name.ele` of TetGen.
 
   Points are numbered from 0 or 1, which the first point tells. Attributes, markers, comments and the inner nodes of tetrahedra
@@ -137,8 +133,6 @@ inline bool read_Tetgen_files(const std::string& path, Tetrahedral_mesh& mesh, s
 }
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   writes a tetrahedral mesh as the pair of files `name.node` and `name.ele` of TetGen, numbered from 0. Triangles are not
   written. Numbers have as many digits (up to 17) as it takes to read back exactly the same doubles.
 
@@ -175,4 +169,4 @@ inline bool write_Tetgen_files(const std::string& path, const Tetrahedral_mesh& 
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_TETGEN_FILES_H
+#endif // FLIP_FREE_MAPS_PROGRAM_FORMATS_TETGEN_FILES_H

@@ -5,10 +5,10 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_INTERNAL_SURFACE_PAINTER_H
-#define CGAL_FLIP_FREE_MAPS_IO_INTERNAL_SURFACE_PAINTER_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PAINTER_H
+#define FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PAINTER_H
 
-#include <CGAL/Flip_free_maps/IO/internal/Layout_painter.h>
+#include "Layout_painter.h"
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 
 #include <Eigen/Core>
@@ -129,4 +129,4 @@ private:
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_INTERNAL_SURFACE_PAINTER_H
+#endif // FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PAINTER_H

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_HANDLES_H
-#define CGAL_FLIP_FREE_MAPS_IO_HANDLES_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_HANDLES_H
+#define FLIP_FREE_MAPS_PROGRAM_FORMATS_HANDLES_H
 
 #include <CGAL/Flip_free_maps/IO/internal/Word_reader.h>
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
@@ -26,14 +26,10 @@
 #include <utility>
 #include <vector>
 
-/// \file
-
 namespace CGAL {
 namespace Flip_free_maps {
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   Vertices and the places where they are to go.
 
   \tparam D dimension, 2 or 3
@@ -195,8 +191,6 @@ private:
 } // namespace internal
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   reads handles, one per line, in one of two forms (with D coordinates, here for D = 3):
 
   - `index x y z`: the vertex with this index, from 0, goes to the place;
@@ -239,4 +233,4 @@ bool read_handles(const std::string& path, const Positions<D>& points, Handles<D
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_HANDLES_H
+#endif // FLIP_FREE_MAPS_PROGRAM_FORMATS_HANDLES_H

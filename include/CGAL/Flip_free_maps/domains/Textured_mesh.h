@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_TEXTURED_MESH_H
-#define CGAL_FLIP_FREE_MAPS_IO_TEXTURED_MESH_H
+#ifndef CGAL_FLIP_FREE_MAPS_DOMAINS_TEXTURED_MESH_H
+#define CGAL_FLIP_FREE_MAPS_DOMAINS_TEXTURED_MESH_H
 
 #include <array>
 #include <vector>
@@ -42,4 +42,4 @@ struct Textured_mesh
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_TEXTURED_MESH_H
+#endif // CGAL_FLIP_FREE_MAPS_DOMAINS_TEXTURED_MESH_H

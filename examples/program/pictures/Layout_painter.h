@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_INTERNAL_LAYOUT_PAINTER_H
-#define CGAL_FLIP_FREE_MAPS_IO_INTERNAL_LAYOUT_PAINTER_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_PICTURES_LAYOUT_PAINTER_H
+#define FLIP_FREE_MAPS_PROGRAM_PICTURES_LAYOUT_PAINTER_H
 
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 
@@ -646,4 +646,4 @@ private:
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_INTERNAL_LAYOUT_PAINTER_H
+#endif // FLIP_FREE_MAPS_PROGRAM_PICTURES_LAYOUT_PAINTER_H

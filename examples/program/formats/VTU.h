@@ -5,12 +5,12 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_VTU_H
-#define CGAL_FLIP_FREE_MAPS_IO_VTU_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_VTU_H
+#define FLIP_FREE_MAPS_PROGRAM_FORMATS_VTU_H
 
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/IO/internal/Word_reader.h>
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -24,14 +24,10 @@
 #include <utility>
 #include <vector>
 
-/// \file
-
 namespace CGAL {
 namespace Flip_free_maps {
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   Named values for the points or the tetrahedra of a VTU file.
 */
 struct VTU_array
@@ -302,8 +298,6 @@ inline void append_VTU_arrays(std::string& text, const char* group, const std::v
 } // namespace internal
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   reads points, tetrahedra and triangles from a VTU file (unstructured grid of VTK) whose arrays are in ASCII. Several pieces are
   put together; points, lines and other polygons are ignored, as are the arrays of values. The locale has no influence. The
   cost is linear in the size of the file.
@@ -321,8 +315,6 @@ inline bool read_VTU(const std::string& path, Tetrahedral_mesh& mesh, std::strin
 }
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   writes the points and tetrahedra of a mesh, with values, as a VTU file in ASCII for ParaView. Triangles are not written.
 
   Numbers are written with as many digits (up to 17) as it takes to read back exactly the same doubles. The cost is linear.
@@ -380,4 +372,4 @@ inline bool write_VTU(const std::string& path, const Tetrahedral_mesh& mesh, con
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_VTU_H
+#endif // FLIP_FREE_MAPS_PROGRAM_FORMATS_VTU_H

@@ -5,14 +5,14 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_SURFACE_PICTURE_H
-#define CGAL_FLIP_FREE_MAPS_IO_SURFACE_PICTURE_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PICTURE_H
+#define FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PICTURE_H
 
-#include <CGAL/Flip_free_maps/IO/Layout_picture.h>
+#include "Layout_picture.h"
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
-#include <CGAL/Flip_free_maps/IO/internal/Surface_painter.h>
+#include "Surface_painter.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -28,14 +28,10 @@
 #include <string>
 #include <vector>
 
-/// \file
-
 namespace CGAL {
 namespace Flip_free_maps {
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   One view of `write_surface_PNG()`: a surface in space with a value per triangle.
 */
 struct Surface_view
@@ -54,8 +50,6 @@ struct Surface_view
 };
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   Settings of `write_surface_PNG()`.
 */
 struct Surface_picture_options
@@ -324,8 +318,6 @@ private:
 } // namespace internal
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   writes a picture of one or more surfaces in space, side by side ("before" and "after"), as a PNG image: flat shaded triangles in
   orthographic projection, colored by their values on a logarithmic scale from pale (1) to deep colors. Values above the
   upper end, infinite and undefined ones take the last color. All views have the same direction and the same scales of lengths and
@@ -363,4 +355,4 @@ inline bool write_surface_PNG(const std::string& path, const std::vector<Surface
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_SURFACE_PICTURE_H
+#endif // FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PICTURE_H

@@ -5,19 +5,17 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_VOLUME_FILES_H
-#define CGAL_FLIP_FREE_MAPS_IO_VOLUME_FILES_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_VOLUME_FILES_H
+#define FLIP_FREE_MAPS_PROGRAM_FORMATS_VOLUME_FILES_H
 
+#include "Tetgen_files.h"
+#include "VTU.h"
 #include <CGAL/Flip_free_maps/IO/Medit.h>
-#include <CGAL/Flip_free_maps/IO/Tetgen_files.h>
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
-#include <CGAL/Flip_free_maps/IO/VTU.h>
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
 #include <filesystem>
 #include <string>
-
-/// \file
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -41,8 +39,6 @@ inline bool fail_by_extension(const std::string& path, std::string* message)
 } // namespace internal
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   reads a tetrahedral mesh from a file whose extension tells the format: `.mesh` (`read_Medit()`), `.vtu` (`read_VTU()`), `.node`
   or `.ele` (`read_Tetgen_files()`).
 
@@ -63,8 +59,6 @@ inline bool read_volume(const std::string& path, Tetrahedral_mesh& mesh, std::st
 }
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   writes a tetrahedral mesh to a file whose extension tells the format, as in `read_volume()`. `write_VTU()` can add values.
 
   \param path name of the file; an existing file is replaced
@@ -86,4 +80,4 @@ inline bool write_volume(const std::string& path, const Tetrahedral_mesh& mesh, 
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_VOLUME_FILES_H
+#endif // FLIP_FREE_MAPS_PROGRAM_FORMATS_VOLUME_FILES_H

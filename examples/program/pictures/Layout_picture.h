@@ -5,13 +5,13 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_IO_LAYOUT_PICTURE_H
-#define CGAL_FLIP_FREE_MAPS_IO_LAYOUT_PICTURE_H
+#ifndef FLIP_FREE_MAPS_PROGRAM_PICTURES_LAYOUT_PICTURE_H
+#define FLIP_FREE_MAPS_PROGRAM_PICTURES_LAYOUT_PICTURE_H
 
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
-#include <CGAL/Flip_free_maps/IO/internal/Layout_painter.h>
+#include "Layout_painter.h"
 
 #include <cairo-svg.h>
 #include <cairo.h>
@@ -23,14 +23,10 @@
 #include <string>
 #include <vector>
 
-/// \file
-
 namespace CGAL {
 namespace Flip_free_maps {
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   Settings of `write_layout_SVG()` and `write_layout_PNG()`.
 */
 struct Layout_picture_options
@@ -144,8 +140,6 @@ inline bool write_layout(const std::string& path, const std::vector<std::array<d
 } // namespace internal
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   writes a picture of a planar layout, colored by distortion, as an SVG file.
 
   The triangles are filled from pale (distortion 1) to deep colors on a logarithmic scale with uniform perceptual steps; values
@@ -176,8 +170,6 @@ inline bool write_layout_SVG(const std::string& path, const std::vector<std::arr
 }
 
 /*!
-  \ingroup PkgFlipFreeMapsIO
-
   writes a picture of a planar layout, colored by distortion, as a PNG image; content and parameters are those of
   `write_layout_SVG()`.
 */
@@ -188,47 +180,7 @@ inline bool write_layout_PNG(const std::string& path, const std::vector<std::arr
   return internal::write_layout(path, uv, triangles, distortion, options, false, message);
 }
 
-/*!
-  \ingroup PkgFlipFreeMapsIO
-
-  writes a square PNG image with a checkerboard, to be used as a texture. It tiles seamlessly if `squares` is even.
-
-  \param path name of the file; an existing file is replaced
-  \param size side of the image in pixels, from 1 to 16000
-  \param squares number of squares along a side, from 1 to `size`
-  \param message if not null, receives the reason of a failure, and the empty string on success
-
-  \returns `false` if a number is out of range, if the file cannot be written, or always unless the macro
-           `CGAL_FLIP_FREE_MAPS_USE_CAIRO` is defined
-*/
-inline bool write_checkerboard_PNG(const std::string& path, int size, int squares, std::string* message = nullptr)
-{
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
-  if(size < 1 || size > 16000 || squares < 1 || squares > size)
-    return internal::fail(message, "cannot draw " + path + ": the size must be from 1 to 16000, and squares from 1 to the size");
-
-  internal::Cairo_surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size, size));
-  internal::Cairo_context context(cairo_create(surface.get()));
-  cairo_set_source_rgb(context.get(), 0.95, 0.95, 0.93);
-  cairo_paint(context.get());
-  cairo_set_source_rgb(context.get(), 0.22, 0.42, 0.62);
-  cairo_set_antialias(context.get(), CAIRO_ANTIALIAS_NONE);
-  const auto square_begin = [=](int i) { return static_cast<int>(static_cast<long long>(size) * i / squares); };
-  for(int j = 0; j < squares; ++j) {
-    for(int i = j % 2; i < squares; i += 2)
-      cairo_rectangle(context.get(), square_begin(i), square_begin(j), square_begin(i + 1) - square_begin(i),
-                      square_begin(j + 1) - square_begin(j));
-    cairo_fill(context.get());
-  }
-  return internal::write_image_as_PNG(path, surface.get(), context, message);
-#else
-  static_cast<void>(size);
-  static_cast<void>(squares);
-  return internal::fail_without_cairo(path, message);
-#endif
-}
-
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_IO_LAYOUT_PICTURE_H
+#endif // FLIP_FREE_MAPS_PROGRAM_PICTURES_LAYOUT_PICTURE_H
