@@ -2,7 +2,7 @@
 # package, and neither is Cairo, which draws the pictures.
 #
 # Reads     FLIP_FREE_MAPS_WITH_CAIRO
-# Creates   flip_free_maps_program
+# Creates   flip_free_maps_program, their headers; flip_free_maps_formats, their sources
 # Sets      FLIP_FREE_MAPS_CAIRO_STATUS (text for the user)
 
 add_library(flip_free_maps_program INTERFACE)
@@ -34,3 +34,8 @@ if(FLIP_FREE_MAPS_WITH_CAIRO)
 else()
   set(FLIP_FREE_MAPS_CAIRO_STATUS "switched off, the program draws no pictures, --svg and --png are refused")
 endif()
+
+file(GLOB format_files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/program/formats/*.cpp")
+add_library(flip_free_maps_formats STATIC EXCLUDE_FROM_ALL ${format_files})
+target_link_libraries(flip_free_maps_formats PUBLIC flip_free_maps_program)
+target_compile_options(flip_free_maps_formats PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra>)

@@ -9,20 +9,16 @@
 
 #include "repair_polygons.h"
 
-#include "formats/volume_files.h"
+#include "formats/Polygon_file.h"
 #include <CGAL/Flip_free_maps/IO/OBJ.h>
 
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace program {
@@ -50,47 +46,28 @@ std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygo
                      : "neighbouring faces are oriented differently: orient them alike first; a Moebius strip cannot be";
 }
 
-// CGAL's reader of PLY trusts that each property belongs to an element.
-bool is_header_ordered(std::istream& in)
-{
-  std::string line, word;
-  while(std::getline(in, line)) {
-    word.clear();
-    std::istringstream(line) >> word;
-    if(word == "property")
-      return false;
-    if(word == "element" || word == "end_header")
-      return true;
-  }
-  return true;
-}
-
 } // namespace
 
-bool read_soup(const std::string& path, std::vector<Kernel::Point_3>& points, std::vector<std::vector<std::size_t>>& polygons)
+void read_soup(const std::string& path, std::vector<Kernel::Point_3>& points, std::vector<std::vector<std::size_t>>& polygons)
 {
-  std::ifstream in(path, std::ios::binary);
-  check(bool(in), "cannot open " + path);
-  return (FFM::internal::lower_case_extension(path) != ".ply" || is_header_ordered(in)) &&
-         CGAL::IO::read_polygon_soup(path, points, polygons);
+  Polygon_file file;
+  const std::string error = read_polygon_file(path, file);
+  check(error.empty(), error);
+  for(const auto& p : file.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  polygons = std::move(file.polygons);
 }
 
 namespace {
 
 void read_polygons(const std::string& path, Triangles& triangles)
 {
-  if(!read_soup(path, triangles.points, triangles.polygons))
-    throw Failure{Status::file_error, path + " is not an OFF, OBJ, PLY or STL file, or is truncated or malformed: a coordinate may not be "
-                                             "a finite number, or a face name a vertex that does not exist"};
+  read_soup(path, triangles.points, triangles.polygons);
   if(triangles.polygons.empty())
     throw Failure{Status::empty_mesh, "the file holds no faces"};
-  for(std::size_t i = 0; i < triangles.polygons.size(); ++i)
-    for(std::size_t v : triangles.polygons[i])
-      if(v >= triangles.points.size())
-        throw Failure{Status::file_error, "face number " + std::to_string(i) + " names a vertex that does not exist"};
 }
 
-void make_mesh(const std::string& path, Triangles& triangles)
+void make_mesh(Triangles& triangles)
 {
   auto& points = triangles.points;
   auto& polygons = triangles.polygons;
@@ -105,9 +82,6 @@ void make_mesh(const std::string& path, Triangles& triangles)
   for(const auto& p : points)
     if(!is_finite(p))
       throw Failure{Status::non_finite_input, "a coordinate of the mesh is NaN or infinite"};
-  // STL has no shared vertices.
-  if(path.size() > 4 && (path.substr(path.size() - 4) == ".stl" || path.substr(path.size() - 4) == ".STL"))
-    PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
   if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
     throw Failure{Status::non_manifold, why_not_manifold(polygons)};
   PMP::polygon_soup_to_polygon_mesh(points, polygons, triangles.mesh);
@@ -118,7 +92,7 @@ void make_mesh(const std::string& path, Triangles& triangles)
 void read_triangles(const std::string& path, Triangles& triangles)
 {
   read_polygons(path, triangles);
-  make_mesh(path, triangles);
+  make_mesh(triangles);
   auto components = triangles.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
   const std::size_t number = PMP::connected_components(triangles.mesh, components);
   if(number != 1)
@@ -132,7 +106,7 @@ void read_surface(const std::string& path, bool repair, Triangles& triangles, st
     repairs = repair_polygons(triangles);
   if(triangles.polygons.empty())
     throw Failure{Status::empty_mesh, "nothing is left after the repair"};
-  make_mesh(path, triangles);
+  make_mesh(triangles);
 }
 
 namespace {

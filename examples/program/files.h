@@ -25,8 +25,8 @@ struct Triangles
   Mesh mesh; // vertex i is point i
 };
 
-// Reads polygons of whatever kind from an OFF, OBJ, PLY or STL file. Returns whether it could be understood.
-bool read_soup(const std::string& path, std::vector<Kernel::Point_3>& points, std::vector<std::vector<std::size_t>>& polygons);
+// Reads polygons of whatever kind from an OFF, OBJ, PLY or STL file.
+void read_soup(const std::string& path, std::vector<Kernel::Point_3>& points, std::vector<std::vector<std::size_t>>& polygons);
 
 // Reads and checks a file, so that every fault has a name of its own before the mesh is built.
 void read_triangles(const std::string& path, Triangles& triangles);

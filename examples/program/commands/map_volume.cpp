@@ -124,7 +124,7 @@ private:
     }
     std::vector<Kernel::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;
-    check(read_soup(m_arguments.handles, points, faces), "cannot read " + m_arguments.handles);
+    read_soup(m_arguments.handles, points, faces);
     check(points.size() <= mesh.points.size(), m_arguments.handles + " has more vertices than " + m_arguments.input);
     std::vector<std::int32_t> boundary;
     for(std::size_t v = 0; v < points.size(); ++v) {
