@@ -12,7 +12,7 @@
 
 #include "types.h"
 
-#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/method/Map_options.h>
 
 #include <CLI/CLI.hpp>

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
 #include <CGAL/Flip_free_maps/core/chosen_method.h>
+#include <CGAL/Flip_free_maps/core/default_traits.h>
 #endif
 
 /// \file

@@ -10,6 +10,9 @@
 
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/core/default_traits.h>
+#endif
 
 /// \file
 /// What a program needs that calls `parameterize()` with traits of its own: with the compiled library the functions of this folder
