@@ -20,15 +20,27 @@ namespace Flip_free_maps {
 /// Settings of `pack_charts()`.
 struct Packing_options
 {
-  /// Least distance between the bounding boxes of two charts, in parts of the unit square's side, in (0, 1/2]. Charts keep half
-  /// of it from the sides of the square.
+  /// Least distance between two charts, in parts of the unit square's side, in (0, 1/2]. Charts keep half of it from the sides of
+  /// the square. Charts are laid into dents and holes of others.
   double margin = 1. / 256;
-  /// Whether charts are turned to where their bounding boxes are smallest. Otherwise they are turned by quarters only.
+  /// The side of the texture in pixels. If it is not 0, `padding` takes the place of `margin`.
+  int resolution = 0;
+  /// Least distance between two charts in pixels, see `resolution`.
+  double padding = 2;
+  /// Whether charts are turned to where they fit best. Otherwise they are turned by quarters only.
   bool rotate = true;
+
+  /// The least distance between two charts that holds, in parts of the unit square's side.
+  double distance() const { return resolution > 0 ? padding / resolution : margin; }
 
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
+    if(resolution < 0)
+      return internal::fail(message, "the resolution must not be negative");
+    if(resolution > 0)
+      return (distance() > 0 && distance() <= 0.5) ||
+             internal::fail(message, "the padding must be positive and at most half the resolution");
     return (margin > 0 && margin <= 0.5) || internal::fail(message, "the margin must be positive and at most 1/2");
   }
 };
