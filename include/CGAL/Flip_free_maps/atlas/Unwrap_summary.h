@@ -73,6 +73,7 @@ struct Unwrap_summary : Outcome
   std::vector<Chart_summary> charts; ///< the charts, the largest first; their places are the numbers in `face_chart_map`
   int splits_of_overlaps = 0;        ///< how often a chart was split because it overlapped itself
   int splits_of_distortion = 0;      ///< how often a chart was split because of `Unwrap_options::max_distortion`
+  int splits_of_length = 0;          ///< how often a chart was split because of `Unwrap_options::max_length`
   int splits_of_failures = 0;        ///< how often a chart was split because it could not be flattened
   double energy = -1;                ///< mean symmetric Dirichlet energy, weighted by areas on the surface
   std::int64_t flips = -1;           ///< triangles that are not positively oriented, by exact predicates:
@@ -105,6 +106,7 @@ struct Unwrap_summary : Outcome
     visit("occupancy", occupancy);
     visit("splits_of_overlaps", splits_of_overlaps, if_any(splits_of_overlaps));
     visit("splits_of_distortion", splits_of_distortion, if_any(splits_of_distortion));
+    visit("splits_of_length", splits_of_length, if_any(splits_of_length));
     visit("splits_of_failures", splits_of_failures, if_any(splits_of_failures));
     visit("seconds", internal::Unwrap_seconds{cut_seconds, flatten_seconds, pack_seconds, certify_seconds, seconds}, if_valid);
     visit("cut", cut, Field_role::detail);
