@@ -17,14 +17,16 @@ namespace Flip_free_maps {
 namespace internal {
 
 // What the doors call with a method that was chosen at run time, compiled once.
-CGAL_FLIP_FREE_MAPS_INLINE void solve_planar(const Planar_request& request, Any_map_traits& method, Positions<2>& x, Summary& summary);
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_planar(const Planar_request& request, const Any_map_traits& method, const Positions<2>& written,
-                                               Summary& summary);
-CGAL_FLIP_FREE_MAPS_INLINE void solve_bijectively(const Planar_request& request, Any_map_traits& method, Positions<2>& x, Summary& summary);
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_injective(const Planar_request& request, const Any_map_traits& method, const Positions<2>& written,
-                                                  Summary& summary);
-CGAL_FLIP_FREE_MAPS_INLINE void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options, Any_map_traits& method,
-                                                 Atlas_result& result, Unwrap_summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void solve_planar(const Planar_request& request, Any_map_traits& method, Positions<2>& x,
+                                                       Summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION bool certify_planar(const Planar_request& request, const Any_map_traits& method,
+                                                         const Positions<2>& written, Summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void solve_bijectively(const Planar_request& request, Any_map_traits& method, Positions<2>& x,
+                                                            Summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION bool certify_injective(const Planar_request& request, const Any_map_traits& method,
+                                                            const Positions<2>& written, Summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
+                                                           Any_map_traits& method, Atlas_result& result, Unwrap_summary& summary);
 
 } // namespace internal
 } // namespace Flip_free_maps

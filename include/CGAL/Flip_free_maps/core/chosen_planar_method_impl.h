@@ -16,24 +16,26 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE void solve_planar(const Planar_request& request, Any_map_traits& method, Positions<2>& x, Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void solve_planar(const Planar_request& request, Any_map_traits& method, Positions<2>& x,
+                                                      Summary& summary)
 {
   solve_planar<Any_map_traits>(request, method, x, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_planar(const Planar_request& request, const Any_map_traits& method, const Positions<2>& written,
-                                               Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_planar(const Planar_request& request, const Any_map_traits& method,
+                                                        const Positions<2>& written, Summary& summary)
 {
   return certify_planar<Any_map_traits>(request, method, written, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void solve_bijectively(const Planar_request& request, Any_map_traits& method, Positions<2>& x, Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void solve_bijectively(const Planar_request& request, Any_map_traits& method, Positions<2>& x,
+                                                           Summary& summary)
 {
   solve_bijectively<Any_map_traits>(request, method, x, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_injective(const Planar_request& request, const Any_map_traits& method, const Positions<2>& written,
-                                                  Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_injective(const Planar_request& request, const Any_map_traits& method,
+                                                           const Positions<2>& written, Summary& summary)
 {
   return certify_injective<Any_map_traits>(request, method, written, summary);
 }

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options, Any_map_traits& method,
-                                                 Atlas_result& result, Unwrap_summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
+                                                          Any_map_traits& method, Atlas_result& result, Unwrap_summary& summary)
 {
   unwrap_triangles<Any_map_traits>(request, options, method, result, summary);
 }

@@ -8,12 +8,15 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CORE_CONFIGURATION_H
 #define CGAL_FLIP_FREE_MAPS_CORE_CONFIGURATION_H
 
-// Functions of this folder are no templates. Users of the compiled library (CMake: `Flip_free_maps::core`, which defines
-// CGAL_FLIP_FREE_MAPS_USE_CORE) see their declarations only; for all others the same text is inline.
+// Functions of this folder take no types. Users of the compiled library (CMake: `Flip_free_maps::core`, which defines
+// CGAL_FLIP_FREE_MAPS_USE_CORE) see their declarations only. For all others the same text is a template, though of nothing, so that
+// only those who call a function wait for what it instantiates.
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
-#define CGAL_FLIP_FREE_MAPS_INLINE
+#define CGAL_FLIP_FREE_MAPS_CORE_DECLARATION
+#define CGAL_FLIP_FREE_MAPS_CORE_DEFINITION
 #else
-#define CGAL_FLIP_FREE_MAPS_INLINE inline
+#define CGAL_FLIP_FREE_MAPS_CORE_DECLARATION template <int = 0>
+#define CGAL_FLIP_FREE_MAPS_CORE_DEFINITION template <int>
 #endif
 
 #endif // CGAL_FLIP_FREE_MAPS_CORE_CONFIGURATION_H

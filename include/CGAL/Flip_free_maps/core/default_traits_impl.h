@@ -17,32 +17,32 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE void solve_planar(const Planar_request& request, Flip_free_map_traits<>& method, Positions<2>& x,
-                                             Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void solve_planar(const Planar_request& request, Flip_free_map_traits<>& method, Positions<2>& x,
+                                                      Summary& summary)
 {
   solve_planar<Flip_free_map_traits<>>(request, method, x, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_planar(const Planar_request& request, const Flip_free_map_traits<>& method,
-                                               const Positions<2>& written, Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_planar(const Planar_request& request, const Flip_free_map_traits<>& method,
+                                                        const Positions<2>& written, Summary& summary)
 {
   return certify_planar<Flip_free_map_traits<>>(request, method, written, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void solve_bijectively(const Planar_request& request, Flip_free_map_traits<>& method, Positions<2>& x,
-                                                  Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void solve_bijectively(const Planar_request& request, Flip_free_map_traits<>& method, Positions<2>& x,
+                                                           Summary& summary)
 {
   solve_bijectively<Flip_free_map_traits<>>(request, method, x, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_injective(const Planar_request& request, const Flip_free_map_traits<>& method,
-                                                  const Positions<2>& written, Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_injective(const Planar_request& request, const Flip_free_map_traits<>& method,
+                                                           const Positions<2>& written, Summary& summary)
 {
   return certify_injective<Flip_free_map_traits<>>(request, method, written, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
-                                                 Flip_free_map_traits<>& method, Atlas_result& result, Unwrap_summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
+                                                          Flip_free_map_traits<>& method, Atlas_result& result, Unwrap_summary& summary)
 {
   unwrap_triangles<Flip_free_map_traits<>>(request, options, method, result, summary);
 }

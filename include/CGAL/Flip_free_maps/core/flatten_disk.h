@@ -26,11 +26,12 @@ struct Default_method
 };
 
 // Flattens a disk.
-CGAL_FLIP_FREE_MAPS_INLINE void solve_planar(const Planar_request& request, Default_method& method, Positions<2>& x, Summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void solve_planar(const Planar_request& request, Default_method& method, Positions<2>& x,
+                                                       Summary& summary);
 
 // Certifies a map as it will be written, and counts its flips.
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_planar(const Planar_request& request, const Default_method& method, const Positions<2>& written,
-                                               Summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION bool certify_planar(const Planar_request& request, const Default_method& method,
+                                                         const Positions<2>& written, Summary& summary);
 
 } // namespace internal
 } // namespace Flip_free_maps

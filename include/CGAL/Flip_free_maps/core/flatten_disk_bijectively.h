@@ -15,11 +15,12 @@ namespace Flip_free_maps {
 namespace internal {
 
 // The same as `solve_planar()`, but the map is to be injective as a whole where the request says so.
-CGAL_FLIP_FREE_MAPS_INLINE void solve_bijectively(const Planar_request& request, Default_method& method, Positions<2>& x, Summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void solve_bijectively(const Planar_request& request, Default_method& method, Positions<2>& x,
+                                                            Summary& summary);
 
 // Whether a map is injective, where the request says so, as it will be written.
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_injective(const Planar_request& request, const Default_method& method, const Positions<2>& written,
-                                                  Summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION bool certify_injective(const Planar_request& request, const Default_method& method,
+                                                            const Positions<2>& written, Summary& summary);
 
 } // namespace internal
 } // namespace Flip_free_maps

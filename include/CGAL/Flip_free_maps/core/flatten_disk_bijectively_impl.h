@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE void solve_bijectively(const Planar_request& request, Default_method& method, Positions<2>& x, Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void solve_bijectively(const Planar_request& request, Default_method& method, Positions<2>& x,
+                                                           Summary& summary)
 {
   Flip_free_map_traits<> traits;
   traits.options = method.options;
@@ -24,8 +25,8 @@ CGAL_FLIP_FREE_MAPS_INLINE void solve_bijectively(const Planar_request& request,
   solve_bijectively(request, traits, x, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_injective(const Planar_request& request, const Default_method&, const Positions<2>& written,
-                                                  Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_injective(const Planar_request& request, const Default_method&,
+                                                           const Positions<2>& written, Summary& summary)
 {
   return certify_injective(request, Flip_free_map_traits<>(), written, summary);
 }

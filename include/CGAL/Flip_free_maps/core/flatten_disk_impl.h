@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE void solve_planar(const Planar_request& request, Default_method& method, Positions<2>& x, Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void solve_planar(const Planar_request& request, Default_method& method, Positions<2>& x,
+                                                      Summary& summary)
 {
   Flip_free_map_traits<> traits;
   traits.options = method.options;
@@ -25,8 +26,8 @@ CGAL_FLIP_FREE_MAPS_INLINE void solve_planar(const Planar_request& request, Defa
   solve_planar(request, traits, x, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool certify_planar(const Planar_request& request, const Default_method&, const Positions<2>& written,
-                                               Summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_planar(const Planar_request& request, const Default_method&, const Positions<2>& written,
+                                                        Summary& summary)
 {
   return certify_flips<Flip_free_map_traits<>::Kernel>(request.domain, written, summary);
 }

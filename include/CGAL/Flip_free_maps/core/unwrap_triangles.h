@@ -45,8 +45,8 @@ struct Atlas_result
 };
 
 // Unwraps. The result is set if the summary is valid.
-CGAL_FLIP_FREE_MAPS_INLINE void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options, Default_method& method,
-                                                 Atlas_result& result, Unwrap_summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
+                                                           Default_method& method, Atlas_result& result, Unwrap_summary& summary);
 
 } // namespace internal
 } // namespace Flip_free_maps

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options, Default_method& method,
-                                                 Atlas_result& result, Unwrap_summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
+                                                          Default_method& method, Atlas_result& result, Unwrap_summary& summary)
 {
   Flip_free_map_traits<> traits;
   traits.options = method.options;
