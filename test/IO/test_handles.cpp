@@ -8,7 +8,7 @@
 // Handle files in both forms, the rule of the nearest vertex against a search through all vertices, and broken files.
 
 #define BOOST_TEST_MODULE handles
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/volume_checks.h"
 

@@ -8,7 +8,7 @@
 // Files: exact round trips, messages for every kind of broken input, and pictures that are read back and looked at.
 
 #define BOOST_TEST_MODULE io
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "program/pictures/Layout_picture.h"
 #include <CGAL/Flip_free_maps/IO/OBJ.h>

@@ -8,7 +8,7 @@
 // Surfaces in all dialects of OFF, OBJ, PLY and STL, and in files that claim what they do not hold.
 
 #define BOOST_TEST_MODULE polygon_file
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "program/formats/Polygon_file.h"
 

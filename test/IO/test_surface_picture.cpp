@@ -8,7 +8,7 @@
 // Pictures of surfaces in space, read back and looked at.
 
 #define BOOST_TEST_MODULE surface_picture
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/volume_checks.h"
 

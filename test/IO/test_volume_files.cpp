@@ -8,7 +8,7 @@
 // Files of tetrahedral meshes: exact round trips, what other programs write, and messages for every kind of broken input.
 
 #define BOOST_TEST_MODULE volume_files
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/volume_checks.h"
 

@@ -9,7 +9,7 @@
 // that are assembled for those accelerations only that multiply by them.
 
 #define BOOST_TEST_MODULE any_acceleration
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

@@ -9,7 +9,7 @@
 // that factorize in each iteration.
 
 #define BOOST_TEST_MODULE inexact_newton
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

@@ -8,7 +8,7 @@
 // Nesterov's acceleration: the steps it asks for, and AQP against the Sobolev gradient.
 
 #define BOOST_TEST_MODULE nesterov
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

@@ -8,7 +8,7 @@
 // unwrap() and pack_charts().
 
 #define BOOST_TEST_MODULE unwrap
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "atlas/atlas_checks.h"
 

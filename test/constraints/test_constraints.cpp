@@ -8,7 +8,7 @@
 // Fixed vertices, soft positions and terms of users in the plane: what they leave alone, and the optima they lead to.
 
 #define BOOST_TEST_MODULE constraints
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/constraint_checks.h"
 

@@ -8,7 +8,7 @@
 // Fixed vertices, soft positions and terms of users in space.
 
 #define BOOST_TEST_MODULE constraints_3
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/constraint_checks.h"
 

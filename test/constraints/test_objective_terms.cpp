@@ -8,7 +8,7 @@
 // Gradient and matrix of the energy and terms beside it, with some vertices fixed, by differences.
 
 #define BOOST_TEST_MODULE objective_terms
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/constraint_checks.h"
 

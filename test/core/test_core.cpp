@@ -8,7 +8,7 @@
 // The compiled library: the same bits as the headers alone give, for meshes and for arrays.
 
 #define BOOST_TEST_MODULE core
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>

@@ -8,7 +8,7 @@
 // Cuts to disks, counted by other means than those of the package.
 
 #define BOOST_TEST_MODULE cut_to_disk
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "cutting/cut_checks.h"
 

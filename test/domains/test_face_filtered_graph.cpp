@@ -8,7 +8,7 @@
 // CGAL::Face_filtered_graph: a part of a larger surface.
 
 #define BOOST_TEST_MODULE face_filtered_graph
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

@@ -8,7 +8,7 @@
 // Cells of a mesh complex of an implicit domain with two parts.
 
 #define BOOST_TEST_MODULE mesh_complex_3_domain
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/volume_checks.h"
 

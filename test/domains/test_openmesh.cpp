@@ -8,7 +8,7 @@
 // OpenMesh, when it is there.
 
 #define BOOST_TEST_MODULE openmesh
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #ifdef CGAL_USE_OPENMESH
 

@@ -8,7 +8,7 @@
 // A user's own mesh class.
 
 #define BOOST_TEST_MODULE own_mesh
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/Own_mesh.h"
 #include "support/mesh_checks.h"

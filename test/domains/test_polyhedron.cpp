@@ -8,7 +8,7 @@
 // CGAL::Polyhedron_3 without ids, and a seam through one.
 
 #define BOOST_TEST_MODULE polyhedron
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

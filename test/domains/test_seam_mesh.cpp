@@ -8,7 +8,7 @@
 // CGAL::Seam_mesh: closed surfaces that are cut along seams. The map is keyed by halfedges of the uncut mesh.
 
 #define BOOST_TEST_MODULE seam_mesh
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

@@ -8,7 +8,7 @@
 // CGAL::Surface_mesh: with gaps in its indices, other components beside, isolated vertices, and named parameters.
 
 #define BOOST_TEST_MODULE surface_mesh
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

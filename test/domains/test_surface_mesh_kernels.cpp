@@ -8,7 +8,7 @@
 // Number types of the mesh' points and of the map: float, and exact numbers.
 
 #define BOOST_TEST_MODULE surface_mesh_kernels
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

@@ -8,7 +8,7 @@
 // Arrays of points and tetrahedra: the same shape whatever the convention, faulty arrays, and the way back.
 
 #define BOOST_TEST_MODULE tetrahedral_domain
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/volume_checks.h"
 

@@ -8,7 +8,7 @@
 // Cells of CGAL's triangulations give the same domain as the arrays that they were made from.
 
 #define BOOST_TEST_MODULE triangulation_3_domain
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/volume_checks.h"
 

@@ -9,7 +9,7 @@
 // named parameters.
 
 #define BOOST_TEST_MODULE arrays
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 #include "support/volume_checks.h"

@@ -8,7 +8,7 @@
 // Planar deformations: handles arrive exactly and nothing flips, or it is said why not; and sessions of many moves.
 
 #define BOOST_TEST_MODULE deform
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

@@ -8,7 +8,7 @@
 // Majorizers of composite energies against majorizers that are written down as functions of the Jacobian, by differences.
 
 #define BOOST_TEST_MODULE composite_majorizer
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"

@@ -8,7 +8,7 @@
 // The largest step against exact rational arithmetic, and the line search's promises.
 
 #define BOOST_TEST_MODULE line_search
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

@@ -8,7 +8,7 @@
 // The signed singular value decomposition in space against Eigen's, and against matrices whose singular values are known.
 
 #define BOOST_TEST_MODULE signed_svd_3
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

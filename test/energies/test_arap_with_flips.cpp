@@ -8,7 +8,7 @@
 // Energies without a barrier may be minimised from starts with flips; those with one never are.
 
 #define BOOST_TEST_MODULE arap_with_flips
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

@@ -9,7 +9,7 @@
 // documentation promises.
 
 #define BOOST_TEST_MODULE energies
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/all_energies.h"
 #include "support/full_matrix.h"

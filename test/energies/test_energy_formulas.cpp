@@ -8,7 +8,7 @@
 // The formulas of the energies, written in matrices, and the tools around energies.
 
 #define BOOST_TEST_MODULE energy_formulas
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/all_energies.h"
 #include "support/generated_domains.h"

@@ -8,7 +8,7 @@
 // Energies and gradients of several triangles at once against those of one at a time.
 
 #define BOOST_TEST_MODULE energy_lanes
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

@@ -8,7 +8,7 @@
 // Every energy with a barrier, minimised by different methods, ends at the same energy without flips.
 
 #define BOOST_TEST_MODULE minimize_energies
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/all_energies.h"
 #include "support/generated_domains.h"

@@ -8,7 +8,7 @@
 // Surfaces that can be flattened without distortion: how they are told from others, and what the default method makes of them.
 
 #define BOOST_TEST_MODULE developable
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/mesh_checks.h"

@@ -8,7 +8,7 @@
 // Starts from coarse to fine: simplification that is undone exactly, valid starts near the optimum, tubes on which Tutte fails.
 
 #define BOOST_TEST_MODULE multilevel
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

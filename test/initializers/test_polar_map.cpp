@@ -11,7 +11,7 @@
 // The other terms are positive.
 
 #define BOOST_TEST_MODULE polar_map
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

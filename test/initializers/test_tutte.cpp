@@ -8,7 +8,7 @@
 // Starts: flip-free for all borders and weights, exact where the answer is known, and honest when they fail.
 
 #define BOOST_TEST_MODULE tutte
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

@@ -8,7 +8,7 @@
 // Conjugate gradients against a dense factorization, their inexact solves, and the choice between them and a direct solver.
 
 #define BOOST_TEST_MODULE iterative_solvers
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

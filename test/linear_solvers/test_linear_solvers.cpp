@@ -8,7 +8,7 @@
 // The block matrix against a dense one, and every linear solver against Eigen's dense LDL^T.
 
 #define BOOST_TEST_MODULE linear_solvers
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

@@ -8,7 +8,7 @@
 // A factorization whose most deformed elements are renewed, against the matrix of the map as it is now.
 
 #define BOOST_TEST_MODULE renewed_factorization
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

@@ -8,7 +8,7 @@
 // Factorization in two parts: the split of the elimination tree against its definition, solutions against the matrix, threads.
 
 #define BOOST_TEST_MODULE split_cholesky
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

@@ -8,7 +8,7 @@
 // is_bijective() on cases made by hand, and against the intersections of all pairs of triangles.
 
 #define BOOST_TEST_MODULE is_bijective
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/is_bijective.h>
 

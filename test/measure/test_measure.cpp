@@ -8,7 +8,7 @@
 // Distortion measures against closed forms on maps that are known, and the way through a file and back.
 
 #define BOOST_TEST_MODULE measure
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

@@ -8,7 +8,7 @@
 // Methods chosen at run time are the compiled ones, and all their names work.
 
 #define BOOST_TEST_MODULE any_map_traits
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

@@ -9,7 +9,7 @@
 // what the pages promise, and all models of the package pass the check classes.
 
 #define BOOST_TEST_MODULE concepts
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/accelerations/Inexact_newton.h>
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>

@@ -8,7 +8,7 @@
 // Minima that are known, reached with the Killing operator and with SLIM.
 
 #define BOOST_TEST_MODULE first_order_methods
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/minimizer_checks.h"
 

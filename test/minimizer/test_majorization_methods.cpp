@@ -8,7 +8,7 @@
 // Minima that are known, reached with composite majorization.
 
 #define BOOST_TEST_MODULE majorization_methods
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/minimizer_checks.h"
 

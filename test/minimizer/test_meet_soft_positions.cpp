@@ -8,7 +8,7 @@
 // Weights are raised until soft positions are met: the result is the map with the same vertices fixed there.
 
 #define BOOST_TEST_MODULE meet_soft_positions
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

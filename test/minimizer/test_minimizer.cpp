@@ -8,7 +8,7 @@
 // Minima that are known, and what factorizations cost.
 
 #define BOOST_TEST_MODULE minimizer
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/minimizer_checks.h"
 

@@ -8,7 +8,7 @@
 // How a run ends: every stopping rule, bad options, bad starts, and what the caller's positions hold afterwards.
 
 #define BOOST_TEST_MODULE minimizer_ends
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/minimizer_fixture.h"
 

@@ -8,7 +8,7 @@
 // Energies, preconditioners and linear solvers that misbehave.
 
 #define BOOST_TEST_MODULE minimizer_failures
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/minimizer_fixture.h"
 

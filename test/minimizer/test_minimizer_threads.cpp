@@ -8,7 +8,7 @@
 // The map does not depend on the number of threads, not by one bit.
 
 #define BOOST_TEST_MODULE minimizer_threads
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

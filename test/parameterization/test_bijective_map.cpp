@@ -9,7 +9,7 @@
 // does not; starts and statuses.
 
 #define BOOST_TEST_MODULE bijective_map
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

@@ -8,7 +8,7 @@
 // CGAL's package Surface_mesh_parameterization on a surface that is cut along seams, with its parameterizer exchanged.
 
 #define BOOST_TEST_MODULE drop_in_seam
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

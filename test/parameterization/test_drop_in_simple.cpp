@@ -8,7 +8,7 @@
 // The plainest use of CGAL's package Surface_mesh_parameterization, with its parameterizer exchanged.
 
 #define BOOST_TEST_MODULE drop_in_simple
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

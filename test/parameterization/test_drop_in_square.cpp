@@ -8,7 +8,7 @@
 // CGAL's package Surface_mesh_parameterization with square borders, with its parameterizer exchanged: the border makes the start.
 
 #define BOOST_TEST_MODULE drop_in_square
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

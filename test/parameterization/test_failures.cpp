@@ -9,7 +9,7 @@
 // alone. And inputs that look wrong but are not.
 
 #define BOOST_TEST_MODULE failures
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

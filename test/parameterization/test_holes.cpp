@@ -9,7 +9,7 @@
 // and the start does not matter.
 
 #define BOOST_TEST_MODULE holes
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

@@ -8,7 +8,7 @@
 // Named parameters of parameterizations: starts, fixed vertices and borders, weights of faces, soft positions.
 
 #define BOOST_TEST_MODULE parameterize_constraints
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

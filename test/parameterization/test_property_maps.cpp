@@ -8,7 +8,7 @@
 // Property maps of other kinds than the mesh' own, for the points and for the map.
 
 #define BOOST_TEST_MODULE property_maps
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 

@@ -8,7 +8,7 @@
 // The assembled gradient and matrices against dense brute force, and the Killing operator against the closed forms of the paper.
 
 #define BOOST_TEST_MODULE assembly
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"

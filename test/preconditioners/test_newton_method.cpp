@@ -8,7 +8,7 @@
 // Newton's method: quadratic convergence, and what becomes of indefinite Hessians.
 
 #define BOOST_TEST_MODULE newton_method
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

@@ -8,7 +8,7 @@
 // Newton's form and the ways to make it positive semidefinite, against differences of the energy and dense eigendecompositions.
 
 #define BOOST_TEST_MODULE newton_variants
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"

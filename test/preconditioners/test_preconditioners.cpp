@@ -9,7 +9,7 @@
 // against the formulas of the papers.
 
 #define BOOST_TEST_MODULE preconditioners
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"

@@ -9,7 +9,7 @@
 // and Hessians agree with differences.
 
 #define BOOST_TEST_MODULE preconditioners_of_energies
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/all_energies.h"
 #include "support/full_matrix.h"

@@ -9,7 +9,7 @@
 // and the hybrid preconditioner changes over by its two rules.
 
 #define BOOST_TEST_MODULE progressive_methods
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"

@@ -9,7 +9,7 @@
 // and when they end.
 
 #define BOOST_TEST_MODULE progressive_reference
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

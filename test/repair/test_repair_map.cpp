@@ -9,7 +9,7 @@
 // what cannot be repaired is left alone and said so.
 
 #define BOOST_TEST_MODULE repair_map
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 #include "support/starts.h"

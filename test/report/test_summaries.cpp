@@ -8,7 +8,7 @@
 // The accounts of all functions: what they print, and what they become as JSON.
 
 #define BOOST_TEST_MODULE summaries
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/atlas/Packing_options.h>
 #include <CGAL/Flip_free_maps/atlas/Unwrap_summary.h>

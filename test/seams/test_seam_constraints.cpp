@@ -8,7 +8,7 @@
 // Seams of which the two sides fit together: the term against finite differences, and maps of a cube that was inflated.
 
 #define BOOST_TEST_MODULE seam_constraints
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/constraint_checks.h"
 #include "support/mesh_checks.h"

@@ -9,7 +9,7 @@
 // though the step of the dual variables increases it, and the map comes to satisfy J = R P.
 
 #define BOOST_TEST_MODULE augmented_lagrangian
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
 

@@ -8,7 +8,7 @@
 // Volume correspondence: the boundary of a bar is mapped, the inside follows without flips.
 
 #define BOOST_TEST_MODULE map_volume
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
 

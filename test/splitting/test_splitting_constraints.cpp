@@ -8,7 +8,7 @@
 // The global step: its optimality, linear constraints, soft positions, meshes of several parts, and independence of the threads.
 
 #define BOOST_TEST_MODULE splitting_constraints
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
 #include "support/starts.h"

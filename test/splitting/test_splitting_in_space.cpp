@@ -8,7 +8,7 @@
 // The splitting against the Newton minimizer in space, from a start with flips, with fixed vertices.
 
 #define BOOST_TEST_MODULE splitting_in_space
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
 

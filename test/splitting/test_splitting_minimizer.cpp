@@ -8,7 +8,7 @@
 // The splitting against the Newton minimizer on the same problem, starts with flips, fixed vertices, and how runs end.
 
 #define BOOST_TEST_MODULE splitting_minimizer
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
 #include "support/starts.h"

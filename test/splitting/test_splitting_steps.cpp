@@ -8,7 +8,7 @@
 // Each local step of the splitting against minimisation by search, and the books of dual variables and penalties.
 
 #define BOOST_TEST_MODULE splitting_steps
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include "support/generated_domains.h"
 

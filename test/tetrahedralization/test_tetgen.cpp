@@ -8,7 +8,7 @@
 // TetGen's data structure as a domain, and TetGen as a mesh generator.
 
 #define BOOST_TEST_MODULE tetgen
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
 

@@ -8,7 +8,7 @@
 // Closed surfaces are filled with tetrahedra that cover what they enclose.
 
 #define BOOST_TEST_MODULE tetrahedralize
-#include <boost/test/included/unit_test.hpp>
+#include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/tetrahedralize.h>

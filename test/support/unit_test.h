@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_TEST_SUPPORT_UNIT_TEST_H
+#define CGAL_FLIP_FREE_MAPS_TEST_SUPPORT_UNIT_TEST_H
+
+// Boost.Test for the file of a test program, which defines BOOST_TEST_MODULE before. Boost concludes from that name that the file
+// holds the beginning of the program, but the precompiled headers have asked before there was one.
+
+#ifndef BOOST_TEST_MAIN
+#define BOOST_TEST_MAIN
+#endif
+
+#include <boost/test/unit_test.hpp>
+
+#endif // CGAL_FLIP_FREE_MAPS_TEST_SUPPORT_UNIT_TEST_H
