@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/bijective.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
 #include <CGAL/Flip_free_maps/unwrap.h>
 
 #include <array>
@@ -85,6 +86,15 @@ BOOST_FIXTURE_TEST_CASE(default_traits_are_the_default_method, Sheet)
   BOOST_TEST(FFM::parameterize(points, triangles, uv).is_valid());
   BOOST_TEST(FFM::parameterize(points, triangles, with_traits, FFM::parameters::map_traits(FFM::Flip_free_map_traits<>())).is_valid());
   BOOST_TEST((uv == with_traits));
+}
+
+// Traits that derive from those of the library are not taken for them, which would be another method.
+BOOST_FIXTURE_TEST_CASE(derived_traits_keep_their_method, Sheet)
+{
+  const FFM::Splitting_map_traits<> splitting;
+  const FFM::Summary summary = FFM::parameterize(points, triangles, uv, FFM::parameters::map_traits(splitting));
+  BOOST_TEST(summary.is_valid());
+  BOOST_TEST(summary.preconditioner == "admm_splitting");
 }
 
 BOOST_FIXTURE_TEST_CASE(methods_chosen_at_run_time, Sheet)

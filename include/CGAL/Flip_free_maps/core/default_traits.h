@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CORE_DEFAULT_TRAITS_H
 #define CGAL_FLIP_FREE_MAPS_CORE_DEFAULT_TRAITS_H
 
+#include <CGAL/Flip_free_maps/core/own_traits.h>
 #include <CGAL/Flip_free_maps/core/unwrap_triangles.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Planar_request.h>
