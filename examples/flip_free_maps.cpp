@@ -7,8 +7,7 @@
 
 // The package at work on files: see `flip_free_maps --help`. The sub-commands are in the folder program/.
 
-#include "program/commands.h"
-#include "program/report.h"
+#include "program/common.h"
 
 int main(int argc, char** argv)
 {

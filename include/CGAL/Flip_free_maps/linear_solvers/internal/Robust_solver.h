@@ -23,44 +23,25 @@ namespace Flip_free_maps {
 namespace internal {
 
 // A linear solver that does not give up: when the factorization fails, Eigen's LDL^T is tried on the same matrix, then a growing
-// multiple of the diagonal is added. All work is entered into the Summary of the innermost Reporting that lives.
+// multiple of the diagonal is added. All work is entered into a Summary.
 template <typename LinearSolver>
 class Robust_solver
 {
 public:
-  // As long as this lives, work is entered into a summary of the caller's, which need not live longer.
-  class Reporting
-  {
-  public:
-    Reporting(Robust_solver& solver, Summary& summary) : m_solver(solver), m_before(solver.m_summary)
-    {
-      m_solver.m_summary = &summary;
-      m_solver.report();
-    }
-
-    ~Reporting() { m_solver.m_summary = m_before; }
-
-    Reporting(const Reporting&) = delete;
-    Reporting& operator=(const Reporting&) = delete;
-
-  private:
-    Robust_solver& m_solver;
-    Summary* m_before;
-  };
-
   explicit Robust_solver(LinearSolver& solver) : m_solver(solver) {}
 
-  Robust_solver(const Robust_solver&) = delete;
-  Robust_solver& operator=(const Robust_solver&) = delete;
+  Robust_solver(LinearSolver& solver, Summary& summary) : m_solver(solver), m_summary(&summary) {}
 
-  [[nodiscard]] Reporting report_to(Summary& summary) { return Reporting(*this, summary); }
+  // Work is entered into `summary` from now on.
+  void set_summary(Summary& summary)
+  {
+    m_summary = &summary;
+    report();
+  }
 
-  // May be called again, for another matrix.
   bool analyze_pattern(const Block_sparse_matrix& matrix)
   {
     const Phase_timer timer(m_summary->seconds.analyze);
-    m_fallback.reset();
-    m_fallback_is_current = false;
     if(!m_solver.analyze_pattern(matrix) && !analyze_fallback(matrix))
       return false;
     report();
@@ -146,8 +127,7 @@ private:
   }
 
   LinearSolver& m_solver;
-  Summary m_unread; // takes what nobody asked for
-  Summary* m_summary = &m_unread;
+  Summary* m_summary = nullptr;
   std::unique_ptr<Eigen_simplicial_solver> m_fallback;
   bool m_fallback_is_current = false;
 };

@@ -10,7 +10,6 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/elements/Signed_svd.h>
-#include <CGAL/Flip_free_maps/internal/Disjoint_sets.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -21,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,21 +37,27 @@ public:
   template <typename IsHandle>
   Handle_groups(const Simplicial_domain<D>& domain, IsHandle&& is_handle)
   {
-    Disjoint_sets sets(domain.number_of_vertices);
+    std::vector<std::int32_t> parent(domain.number_of_vertices);
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&parent](std::int32_t v) {
+      while(parent[v] != v)
+        v = parent[v] = parent[parent[v]];
+      return v;
+    };
     for(const auto& element : domain.elements) {
       std::int32_t first = -1;
       for(std::int32_t v : element) {
         if(!is_handle(v))
           continue;
         if(first >= 0)
-          sets.unite(v, first);
+          parent[(std::max)(root(v), root(first))] = (std::min)(root(v), root(first));
         first = v;
       }
     }
     std::map<std::int32_t, std::vector<std::int32_t>> groups;
     for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
       if(is_handle(v))
-        groups[sets.root(v)].push_back(v);
+        groups[root(v)].push_back(v);
     for(auto& group : groups)
       m_groups.push_back(std::move(group.second));
   }

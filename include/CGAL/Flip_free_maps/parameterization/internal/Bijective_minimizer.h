@@ -16,7 +16,6 @@
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Scaffold.h>
-#include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/number_utils.h>
@@ -38,8 +37,6 @@ namespace internal {
 template <typename Traits>
 class Bijective_minimizer
 {
-  using Minimizer = typename Traits::template Minimizer<2, Traits>;
-
 public:
   // Keeps references to `domain` and `constraints`.
   Bijective_minimizer(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints)
@@ -126,7 +123,7 @@ private:
   {
     const Phase_timer timer(summary.seconds.certify);
     summary.is_bijective = is_bijective(m_domain, x);
-    return *summary.is_bijective;
+    return summary.is_bijective == 1;
   }
 
   bool embed(Positions<2>& x, Summary& summary) const
@@ -227,7 +224,7 @@ private:
     traits.options.target_energy = -std::numeric_limits<double>::infinity();
     set_options(traits.options, summary, STEPS, m_weight * energy, true);
     Positions<2> y = scaffold.positions();
-    Minimizer(extended, traits, constraints).minimize(y, summary);
+    Map_minimizer<2, Traits>(extended, traits, constraints).minimize(y, summary);
     if(summary.is_valid()) {
       x = y.leftCols(m_domain.number_of_vertices);
       if(!m_is_throttled)
@@ -247,7 +244,7 @@ private:
   const Simplicial_domain<2>& m_domain;
   const Traits m_traits;
   const Position_constraints<2>& m_constraints;
-  Minimizer m_minimizer;
+  Map_minimizer<2, Traits> m_minimizer;
   int m_first_iteration = 0;
   double m_time_end = 0;
   double m_weight = WEIGHT;
@@ -255,32 +252,41 @@ private:
   bool m_is_throttled = false;
 };
 
-// The same as `solve_planar()`, but the map is to be injective as a whole where the request says so.
-template <typename Traits>
-void solve_bijectively(const Planar_request& request, Traits& traits, Positions<2>& x, Summary& summary)
+// How `parameterize_patch()` minimises and certifies when the map is to be injective, if `is_wanted` says so at run time.
+struct Bijective_minimization
 {
-  if(!request.is_bijective) {
-    solve_planar(request, traits, x, summary);
-    return;
-  }
-  adapt_to_developable(request.domain, traits);
-  if(make_requested_start(request, traits, x, summary))
-    Bijective_minimizer<Traits>(request.domain, traits, request.constraints).minimize(x, request.keeps_start, summary);
-}
+  bool is_wanted;
+  bool keeps_start;
 
-// Whether a map is still injective, where the request says so, in the numbers that the user receives.
-template <typename Traits>
-bool certify_injective(const Planar_request& request, const Traits&, const Positions<2>& written, Summary& summary)
-{
-  if(!request.is_bijective)
-    return true;
-  summary.is_bijective = is_bijective(request.domain, written, &summary.message);
-  if(*summary.is_bijective)
-    return true;
-  summary.status = Status::not_bijective;
-  summary.message = "the map overlaps itself when it is converted to the number type of the result: " + summary.message;
-  return false;
-}
+  template <typename Traits, typename Start>
+  void minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
+                Positions<2>& x, Summary& summary) const
+  {
+    if(!is_wanted)
+      start_and_minimize(domain, traits, constraints, start, x, summary);
+    else if(start())
+      Bijective_minimizer<Traits>(domain, traits, constraints).minimize(x, keeps_start, summary);
+  }
+
+  // Whether the map is still injective in the numbers that the user receives.
+  template <typename Point>
+  bool certify(const Simplicial_domain<2>& domain, const Positions<2>& x, Summary& summary) const
+  {
+    if(!is_wanted)
+      return true;
+    Positions<2> converted(2, x.cols());
+    for(Eigen::Index v = 0; v < x.cols(); ++v) {
+      const Point p = make_point_2<Point>(x(0, v), x(1, v));
+      converted.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]);
+    }
+    summary.is_bijective = is_bijective(domain, converted, &summary.message);
+    if(summary.is_bijective == 1)
+      return true;
+    summary.status = Status::not_bijective;
+    summary.message = "the map overlaps itself when it is converted to the number type of the result: " + summary.message;
+    return false;
+  }
+};
 
 } // namespace internal
 } // namespace Flip_free_maps
