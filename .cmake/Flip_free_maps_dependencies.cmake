@@ -2,9 +2,9 @@
 # optional libraries, which are looked for here. Included by the build of the package and by its installed configuration
 # file, so that both decide alike.
 #
-# Reads     FLIP_FREE_MAPS_WITH_CHOLMOD, FLIP_FREE_MAPS_WITH_TBB, FLIP_FREE_MAPS_WITH_CAIRO
+# Reads     FLIP_FREE_MAPS_WITH_CHOLMOD, FLIP_FREE_MAPS_WITH_TBB, FLIP_FREE_MAPS_WITH_TETGEN
 # Creates   CGAL::Eigen3_support and Flip_free_maps::dependencies, the sum of all
-# Sets      FLIP_FREE_MAPS_CHOLMOD_STATUS, FLIP_FREE_MAPS_TBB_STATUS, FLIP_FREE_MAPS_CAIRO_STATUS (text for the user)
+# Sets      FLIP_FREE_MAPS_CHOLMOD_STATUS, FLIP_FREE_MAPS_TBB_STATUS, FLIP_FREE_MAPS_TETGEN_STATUS (text for the user)
 
 include(CGAL_Eigen3_support)
 if(NOT TARGET CGAL::Eigen3_support)
@@ -57,32 +57,6 @@ if(FLIP_FREE_MAPS_WITH_TBB)
   endif()
 else()
   set(FLIP_FREE_MAPS_TBB_STATUS "switched off, elements are visited sequentially")
-endif()
-
-# Cairo: pkg-config knows unusual places, but is not needed for the usual ones.
-if(FLIP_FREE_MAPS_WITH_CAIRO)
-  find_package(PkgConfig QUIET)
-  if(PKG_CONFIG_FOUND)
-    pkg_check_modules(FLIP_FREE_MAPS_PC_CAIRO QUIET cairo)
-  endif()
-  find_path(FLIP_FREE_MAPS_CAIRO_INCLUDE_DIR cairo.h HINTS ${FLIP_FREE_MAPS_PC_CAIRO_INCLUDE_DIRS} PATH_SUFFIXES cairo)
-  find_library(FLIP_FREE_MAPS_CAIRO_LIBRARY cairo HINTS ${FLIP_FREE_MAPS_PC_CAIRO_LIBRARY_DIRS})
-  mark_as_advanced(FLIP_FREE_MAPS_CAIRO_INCLUDE_DIR FLIP_FREE_MAPS_CAIRO_LIBRARY)
-  if(FLIP_FREE_MAPS_CAIRO_INCLUDE_DIR AND FLIP_FREE_MAPS_CAIRO_LIBRARY)
-    if(FLIP_FREE_MAPS_DEPENDENCIES_ARE_NEW)
-      add_library(Flip_free_maps::Cairo UNKNOWN IMPORTED)
-      set_target_properties(Flip_free_maps::Cairo PROPERTIES
-        IMPORTED_LOCATION "${FLIP_FREE_MAPS_CAIRO_LIBRARY}"
-        INTERFACE_INCLUDE_DIRECTORIES "${FLIP_FREE_MAPS_CAIRO_INCLUDE_DIR}"
-        INTERFACE_COMPILE_DEFINITIONS CGAL_FLIP_FREE_MAPS_USE_CAIRO)
-      target_link_libraries(Flip_free_maps::dependencies INTERFACE Flip_free_maps::Cairo)
-    endif()
-    set(FLIP_FREE_MAPS_CAIRO_STATUS "found, ${FLIP_FREE_MAPS_CAIRO_LIBRARY}")
-  else()
-    set(FLIP_FREE_MAPS_CAIRO_STATUS "not found, no PNG output (SVG is always there)")
-  endif()
-else()
-  set(FLIP_FREE_MAPS_CAIRO_STATUS "switched off, no PNG output (SVG is always there)")
 endif()
 
 # TetGen

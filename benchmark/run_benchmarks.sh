@@ -95,10 +95,14 @@ else
   echo "default method: not built"
 fi
 run "area distortion" area_distortion.csv "$bin/quality_area_distortion" "$@"
-[ -n "$reference" ] && set -- --reference "$reference" "$@"
 if [ -x "$bin/quality_run_methods" ]; then
-  "$bin/quality_run_methods" --seconds "$seconds" --csv "$out/methods.csv" --html "$out/methods.html" "$@" || failures=$((failures + 1))
+  "$bin/quality_run_methods" --seconds "$seconds" --csv "$out/methods.csv" "$@" || failures=$((failures + 1))
 else
   echo "methods: not built"
+fi
+if command -v python3 > /dev/null; then
+  python3 "$root/benchmark/report.py" "$out" ${reference:+--reference "$reference"} || failures=$((failures + 1))
+else
+  echo "pages of HTML: not made, since there is no python3; benchmark/report.py $out makes them where there is"
 fi
 [ "$failures" -eq 0 ]

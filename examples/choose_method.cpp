@@ -9,6 +9,7 @@
 
 #include "bumpy_surface.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 #include <CGAL/Flip_free_maps/preconditioners/Killing.h>
 

@@ -9,7 +9,7 @@
 
 #include "bumpy_surface.h"
 
-#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 
 #include <CGAL/Simple_cartesian.h>

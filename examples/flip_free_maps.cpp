@@ -7,7 +7,8 @@
 
 // The package at work on files: see `flip_free_maps --help`. The sub-commands are in the folder program/.
 
-#include "program/common.h"
+#include "program/commands.h"
+#include "program/report.h"
 
 int main(int argc, char** argv)
 {

@@ -8,10 +8,9 @@
 // Volume correspondence: the surface of a solid is mapped already, and the inside follows without flips. Without arguments a bar
 // is mapped to a twisted and bulging one.
 //
-// usage: map_solid [SOLID.mesh TARGET.off RESULT.vtu]        vertex k of the target is where vertex k of the solid goes
+// usage: map_solid [SOLID.mesh TARGET.off RESULT.mesh]        vertex k of the target is where vertex k of the solid goes
 
-#include <CGAL/Flip_free_maps/IO/VTU.h>
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include <CGAL/Flip_free_maps/IO/Medit.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/map_volume.h>
 
@@ -71,8 +70,7 @@ bool read_pair(const std::string& solid_file, const std::string& target_file, FF
 {
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
-  if(!FFM::read_volume(solid_file, solid) || !CGAL::IO::read_polygon_soup(target_file, points, faces) ||
-     points.size() > solid.points.size())
+  if(!FFM::read_Medit(solid_file, solid) || !CGAL::IO::read_polygon_soup(target_file, points, faces) || points.size() > solid.points.size())
     return false;
   for(const auto& p : points) {
     surface.push_back(static_cast<int>(surface.size()));
@@ -120,5 +118,5 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   for(std::size_t v = 0; v < result.size(); ++v)
     solid.points[v] = {result[v].x(), result[v].y(), result[v].z()};
-  return argc < 4 || FFM::write_VTU(argv[3], solid, {}, {}, &message) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return argc < 4 || FFM::write_Medit(argv[3], solid, &message) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -10,6 +10,7 @@
 
 #include "bumpy_surface.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 
 #include <CGAL/Simple_cartesian.h>

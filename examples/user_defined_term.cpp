@@ -9,6 +9,7 @@
 
 #include "bumpy_surface.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>

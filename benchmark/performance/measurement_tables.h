@@ -9,7 +9,6 @@
 #define CGAL_FLIP_FREE_MAPS_BENCHMARK_PERFORMANCE_MEASUREMENT_TABLES_H
 
 #include "../support/Table.h"
-#include "../support/html.h"
 #include "measured_run.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // Author(s)     : The Flip_free_maps authors
 
 // What parameterize() costs with its default method: runs it on every given mesh and on refinements of a generated surface, by
-// two stopping rules and with several numbers of threads, and writes CSV files and a report that any browser shows, published
+// two stopping rules and with several numbers of threads, and writes CSV files, of which report.py makes a page, published
 // figures beside ours where there are any: see `--help`.
 
 #include "../support/Table.h"
@@ -14,7 +14,6 @@
 #include "../support/machine.h"
 #include "measured_run.h"
 #include "measurement_tables.h"
-#include "performance_report.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -29,7 +28,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -131,7 +129,8 @@ public:
 #ifdef CGAL_LINKED_WITH_TBB
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
 #endif
-        const std::string name = input.name + ", rule " + rule.name + ", " + count_of_threads(std::to_string(threads));
+        const std::string name =
+          input.name + ", rule " + rule.name + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
         Measurement measurement{rule.name, threads, {}};
         for(int i = 0; i < m_settings.repeats && remaining() > 0; ++i) {
           measurement.runs.push_back(measure_run(mesh, border, rule, remaining()));
@@ -187,10 +186,7 @@ private:
   bool write() const
   {
     const std::filesystem::path folder = m_settings.output;
-    std::ofstream html(folder / "parameterize.html");
-    html << Performance_report(m_runs, m_traces, m_published).html();
-    return m_runs.write((folder / "parameterize.csv").string()) && m_traces.write((folder / "parameterize_traces.csv").string()) &&
-           bool(html);
+    return m_runs.write((folder / "parameterize.csv").string()) && m_traces.write((folder / "parameterize_traces.csv").string());
   }
 
   const Settings& m_settings;
@@ -211,8 +207,7 @@ int main(int argc, char** argv)
   app.add_option("MESH", settings.files,
                  "files of surfaces with a border, the longest of which is the outer one; names begin with that of their set: d1_cat.off. "
                  "Without any: generated meshes and, unless there is another, a ladder of 25000,100000");
-  app.add_option("--output", settings.output, "folder for parameterize.csv, parameterize_traces.csv and parameterize.html")
-    ->capture_default_str();
+  app.add_option("--output", settings.output, "folder for parameterize.csv and parameterize_traces.csv")->capture_default_str();
   app.add_option("--threads", settings.threads, "numbers of threads, each of which is measured")
     ->allow_extra_args(false)
     ->delimiter(',')
@@ -247,7 +242,7 @@ int main(int argc, char** argv)
       std::cerr << "Cannot write to " << settings.output << ".\n";
       return EXIT_FAILURE;
     }
-  std::cout << (std::filesystem::path(settings.output) / "parameterize.html").string() << " written, " << benchmark.failures()
+  std::cout << (std::filesystem::path(settings.output) / "parameterize.csv").string() << " written, " << benchmark.failures()
             << " runs or files failed.\n";
   return benchmark.failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -6,13 +6,14 @@
 // Author(s)     : The Flip_free_maps authors
 
 // The experiment of Claici et al. 2017, section 6.2: methods deform a solid from the same start by soft handles, with the
-// diagonal of their matrices raised by 1e-4. Objectives iteration by iteration go to volume_methods.csv, curves and tables to
-// volume_methods.html, and an account of each run to the standard output, as CSV.
+// diagonal of their matrices raised by 1e-4. Objectives iteration by iteration go to volume_methods.csv, and an
+// account of each run to the standard output, as CSV; report.py makes a page of both.
 
-#include "volume_report.h"
+#include "../support/machine.h"
+#include "volume_tables.h"
 
-#include <CGAL/Flip_free_maps/IO/Handles.h>
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include "program/formats/Handles.h"
+#include "program/formats/volume_files.h"
 #include <CGAL/Flip_free_maps/constraints/Soft_positions.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/energies/Exponential_amips.h>
@@ -214,7 +215,7 @@ int main(int argc, char** argv)
                 "files that read_volume() and read_handles() read; by default a generated cube, four edges of which are twisted")
     ->expected(2)
     ->option_text("MESH HANDLES");
-  app.add_option("--output", settings.output, "folder for volume_methods.csv and volume_methods.html")->capture_default_str();
+  app.add_option("--output", settings.output, "folder for volume_methods.csv")->capture_default_str();
   app.add_option("--iterations", settings.iterations, "limit of each run")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--weight", settings.weight, "of the handles")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--energy", settings.energy, "what is minimised")->check(CLI::IsMember(energy_names))->capture_default_str();
@@ -232,11 +233,9 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   const FFM::Simplicial_domain<3>& domain = problem.domain.domain();
-  const Volume_experiment experiment = {problem.name + ": " + std::to_string(domain.number_of_elements()) + " tetrahedra, " +
-                                          std::to_string(domain.number_of_vertices) + " vertices, " +
-                                          std::to_string(problem.handles.size()) + " handles of weight " + format(settings.weight) +
-                                          "; energy " + settings.energy,
-                                        settings.energy, settings.iterations};
+  const std::string experiment = problem.name + ": " + std::to_string(domain.number_of_elements()) + " tetrahedra, " +
+                                 std::to_string(domain.number_of_vertices) + " vertices, " + std::to_string(problem.handles.size()) +
+                                 " handles of weight " + format(settings.weight) + "; energy " + settings.energy;
   std::vector<Volume_run> runs;
   bool all_valid = true;
   for(const std::string& method : method_names()) {
@@ -248,12 +247,11 @@ int main(int argc, char** argv)
     all_valid = all_valid && run.summary.is_valid();
   }
   Table results = results_of(runs), traces = traces_of(runs);
-  results.comments() = traces.comments() = {machine(), experiment.text};
+  results.comments() = traces.comments() = {machine(), experiment};
   results.write(std::cout);
-  const std::string base = settings.output + "/volume_methods";
-  if(!traces.write(base + ".csv") ||
-     !write_volume_html(base + ".html", experiment, runs, results, FLIP_FREE_MAPS_BENCHMARK_DATA "/slim_cube_measured.csv")) {
-    std::cerr << "cannot write " << base << ".csv and .html\n";
+  const std::string path = settings.output + "/volume_methods.csv";
+  if(!traces.write(path)) {
+    std::cerr << "cannot write " << path << '\n';
     return EXIT_FAILURE;
   }
   return all_valid ? EXIT_SUCCESS : EXIT_FAILURE;

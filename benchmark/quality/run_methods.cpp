@@ -5,13 +5,12 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Flattens every given mesh, or some generated ones, by every chosen method of the literature, and writes what happened as a CSV
-// file and as a report that any browser shows: see `--help`.
+// Flattens every given mesh, or some generated ones, by every chosen method of the literature, and writes what happened as CSV
+// files, of which report.py makes a page: see `--help`.
 
 #include "../support/Table.h"
 #include "../support/generated_meshes.h"
 #include "../support/machine.h"
-#include "html_report.h"
 
 #include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
@@ -230,7 +229,7 @@ std::string traces_file(const std::string& csv) { return csv.substr(0, csv.rfind
 int main(int argc, char** argv)
 {
   Settings settings;
-  std::string csv = "methods.csv", html = "methods.html", reference_file, published = FLIP_FREE_MAPS_BENCHMARK_DATA;
+  std::string csv = "methods.csv";
   std::vector<std::string> files, earlier;
   int threads = 0;
   CLI::App app("Compares methods on meshes that are topological disks, by default on generated ones.");
@@ -248,11 +247,8 @@ int main(int argc, char** argv)
     ->check(CLI::IsMember({"circle", "triangle", "square", "octagon"}))
     ->capture_default_str();
   app.add_option("--csv", csv, "results; iteration by iteration in the file with _traces.csv at its end")->capture_default_str();
-  app.add_option("--html", html, "report")->capture_default_str();
   app.add_option("--threads", threads, "0: as many as there are")->capture_default_str();
-  app.add_option("--reference", reference_file, "TSV file of figures of another program, shown beside those of pp");
-  app.add_option("--published", published, "folder of the tables of the papers")->capture_default_str();
-  app.add_option("--from", earlier, "CSV files of earlier runs: nothing is run, their results together make the report");
+  app.add_option("--from", earlier, "CSV files of earlier runs: nothing is run, their results are put together");
   CLI11_PARSE(app, argc, argv);
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> control;
@@ -311,16 +307,6 @@ int main(int argc, char** argv)
   }
   for(std::size_t i = 0; i < results.number_of_rows(); ++i)
     failures += std::isfinite(results.number(i, "energy")) ? 0 : 1;
-
-  Table reference;
-  if(!reference_file.empty() && !reference.read(reference_file, '\t')) {
-    std::cerr << "Cannot read " << reference_file << ".\n";
-    return EXIT_FAILURE;
-  }
-  if(!write_html_report(html, results, traces, reference, published)) {
-    std::cerr << "Cannot write " << html << ".\n";
-    return EXIT_FAILURE;
-  }
-  std::cerr << csv << " and " << html << " written, " << failures << " runs or files failed.\n";
+  std::cerr << csv << " written, " << failures << " runs or files failed.\n";
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -156,6 +156,9 @@ private:
   std::vector<std::string> m_comments;
 };
 
+// The name of a mesh up to the first underscore.
+inline std::string set_of(const std::string& mesh) { return mesh.substr(0, mesh.find('_')); }
+
 // A number as short as `digits` significant digits allow; a dash for what is no finite number.
 inline std::string format(double value, int digits = 4)
 {

@@ -57,6 +57,13 @@ public:
   /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`.
   typedef unspecified_type Concurrency_tag;
 
+  /// The class that runs the method on maps of dimension `D`, where `Traits` are these traits, or a class derived from them, so
+  /// that derived traits inherit it: `CGAL::Flip_free_maps::Map_minimizer<D, Traits>`, or another class that is constructed from
+  /// the same arguments and has `options()`, `analyze()`, `minimize()` and `move_fixed_vertices()` like it. What takes terms of
+  /// one's own, or asks for bijective maps, needs the former.
+  template <int D, typename Traits>
+  using Minimizer = unspecified_type;
+
   /// @}
 
   /// \name Choices

@@ -10,8 +10,9 @@
 #ifndef FLIP_FREE_MAPS_PROGRAM_SPLITTING_H
 #define FLIP_FREE_MAPS_PROGRAM_SPLITTING_H
 
-#include "common.h"
+#include "method_arguments.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
 
 #include <algorithm>

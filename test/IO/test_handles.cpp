@@ -12,7 +12,7 @@
 
 #include "support/volume_checks.h"
 
-#include <CGAL/Flip_free_maps/IO/Handles.h>
+#include "program/formats/Handles.h"
 #include <CGAL/Flip_free_maps/IO/Medit.h>
 
 #include <cmath>

@@ -12,7 +12,7 @@
 
 #include "support/volume_checks.h"
 
-#include <CGAL/Flip_free_maps/IO/Surface_picture.h>
+#include "program/pictures/Surface_picture.h"
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
 #include <cairo.h>

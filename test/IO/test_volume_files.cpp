@@ -12,7 +12,7 @@
 
 #include "support/volume_checks.h"
 
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include "program/formats/volume_files.h"
 
 #include <algorithm>
 #include <array>

@@ -27,6 +27,25 @@ using namespace test_support;
 using FFM::Status;
 using Float_point_2 = CGAL::Simple_cartesian<float>::Point_2;
 
+// The borders of different charts keep a distance from each other, and half of it from the sides of the square.
+static void check_distances(const Atlas_surface& surface, double distance)
+{
+  using Segment = CGAL::Simple_cartesian<double>::Segment_2;
+  std::vector<std::pair<int, Segment>> borders;
+  double least = std::numeric_limits<double>::infinity();
+  for(const Halfedge h : surface.mesh.halfedges())
+    if(!surface.mesh.is_border(h) && (surface.seam[surface.mesh.edge(h)] || surface.mesh.is_border(surface.mesh.opposite(h)))) {
+      borders.emplace_back(surface.chart[surface.mesh.face(h)], Segment(surface.uv[surface.mesh.prev(h)], surface.uv[h]));
+      const Point_2 p = surface.uv[h];
+      least = (std::min)({least, 2 * p.x(), 2 * p.y(), 2 * (1 - p.x()), 2 * (1 - p.y())});
+    }
+  for(std::size_t i = 0; i < borders.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(borders[i].first != borders[j].first)
+        least = (std::min)(least, std::sqrt(CGAL::squared_distance(borders[i].second, borders[j].second)));
+  BOOST_TEST(least >= distance * (1 - 1e-6));
+}
+
 BOOST_AUTO_TEST_CASE(closed_surfaces_of_every_genus)
 {
   for(int genus : {0, 1, 2, 5}) {
@@ -106,16 +125,114 @@ BOOST_AUTO_TEST_CASE(splits)
   // Distortion is bounded on request.
   FFM::Unwrap_options options;
   options.cut.branches = FFM::Cut_options::Branches::none;
+  options.max_distortion = std::numeric_limits<double>::infinity();
   Atlas_surface free(ball_soup()), bounded(ball_soup());
   const FFM::Unwrap_summary whole = free.unwrap(options);
   check_atlas(free, whole);
   options.max_distortion = 1.03;
+  options.crease_angle = std::numeric_limits<double>::infinity();
   const FFM::Unwrap_summary parts = bounded.unwrap(options);
   check_atlas(bounded, parts);
   BOOST_TEST(whole.energy > 1.03);
   BOOST_TEST(parts.splits_of_distortion >= 1);
   for(const FFM::Chart_summary& chart : parts.charts)
     BOOST_TEST(chart.energy <= 1.03);
+}
+
+BOOST_AUTO_TEST_CASE(distortion_is_bounded_by_default)
+{
+  // Disks, too: a sphere with a hole at a pole is one.
+  Soup soup;
+  const int around = 24, rings = 18;
+  for(int j = 1; j <= rings; ++j)
+    for(int i = 0; i < around; ++i) {
+      const double latitude = CGAL_PI * j / (rings + 1), longitude = 2 * CGAL_PI * i / around;
+      soup.points.emplace_back(std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude), std::cos(latitude));
+    }
+  soup.points.emplace_back(0, 0, 1);
+  for(int i = 0; i < around; ++i) {
+    const int next = (i + 1) % around;
+    soup.triangles.push_back({around * rings, i, next});
+    for(int j = 0; j + 1 < rings; ++j) {
+      const int a = around * j + i, b = around * j + next;
+      soup.triangles.push_back({a, a + around, b + around});
+      soup.triangles.push_back({a, b + around, b});
+    }
+  }
+  Atlas_surface open(soup);
+  FFM::Unwrap_options options;
+  options.max_distortion = std::numeric_limits<double>::infinity();
+  const FFM::Unwrap_summary whole = open.unwrap(options);
+  check_atlas(open, whole);
+  BOOST_TEST(whole.charts.size() == 1u);
+  BOOST_TEST(whole.energy > 1.5);
+  const FFM::Unwrap_summary bounded = open.unwrap();
+  check_atlas(open, bounded);
+  for(const FFM::Chart_summary& chart : bounded.charts)
+    BOOST_TEST(chart.energy <= 1.025);
+}
+
+BOOST_AUTO_TEST_CASE(constructed_parts_unfold)
+{
+  // Boxes of two triangles a side, one of them flat; a drum; a star with a hub, whose caps are flat and not convex.
+  Soup cube = block_soup(1, 1, 1), plate = cube;
+  for(auto& p : plate.points)
+    p = Mesh::Point(3 * p.x(), 2 * p.y(), 0.1 * p.z());
+  const auto prism = [](int n, double inner) {
+    Soup soup;
+    for(int z = 0; z < 2; ++z)
+      for(int i = 0; i < n; ++i) {
+        const double angle = 2 * CGAL_PI * i / n, radius = i % 2 == 0 ? 1 : inner;
+        soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.5 * z);
+      }
+    soup.points.emplace_back(0, 0, 0);
+    soup.points.emplace_back(0, 0, 0.5);
+    for(int i = 0; i < n; ++i) {
+      const int j = (i + 1) % n;
+      soup.triangles.push_back({i, j, j + n});
+      soup.triangles.push_back({i, j + n, i + n});
+      soup.triangles.push_back({j, i, 2 * n});
+      soup.triangles.push_back({i + n, j + n, 2 * n + 1});
+    }
+    return soup;
+  };
+  for(const Soup& soup : {cube, plate, prism(48, 1), prism(40, 0.7)}) {
+    Atlas_surface part(soup);
+    const FFM::Unwrap_summary summary = part.unwrap();
+    check_atlas(part, summary);
+    BOOST_TEST(summary.energy <= 1 + 1e-6);
+    for(const FFM::Chart_summary& chart : summary.charts)
+      BOOST_TEST(chart.faces >= 2);
+    // No seam divides a flat region.
+    for(const auto e : part.mesh.edges()) {
+      std::array<Mesh::Point, 4> p;
+      for(int i = 0; i < 2; ++i) {
+        const Halfedge h = part.mesh.halfedge(e, i);
+        p[2 * i] = part.mesh.point(part.mesh.target(h));
+        p[2 * i + 1] = part.mesh.point(part.mesh.target(part.mesh.next(h)));
+      }
+      if(std::abs(CGAL::determinant(p[1] - p[0], p[2] - p[0], p[3] - p[0])) < 1e-12)
+        BOOST_TEST(!part.seam[e]);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(charts_are_laid_into_holes)
+{
+  // A frame, and a square that has room in it: boxes beside each other would cover less than a third.
+  std::set<std::array<int, 2>> hole;
+  for(int i = 1; i < 9; ++i)
+    for(int j = 1; j < 9; ++j)
+      hole.insert({i, j});
+  Soup soup = together(sheet_soup(10, 10, hole), sheet_soup(7, 7, {}));
+  for(auto& p : soup.points)
+    p = Mesh::Point(p.x(), p.y(), 0);
+  Atlas_surface nested(soup);
+  const FFM::Unwrap_summary summary = nested.unwrap();
+  check_atlas(nested, summary);
+  BOOST_TEST(summary.charts.size() == 2u);
+  BOOST_TEST(summary.occupancy > 0.75);
+  check_distances(nested, 1. / 256);
 }
 
 BOOST_AUTO_TEST_CASE(seams_of_the_user)
@@ -148,17 +265,15 @@ BOOST_AUTO_TEST_CASE(packing)
   options.packing.margin = 0.05;
   const FFM::Unwrap_summary wide = surface.unwrap(options);
   check_atlas(surface, wide);
-  std::vector<CGAL::Bbox_2> boxes(wide.charts.size());
-  for(const auto f : surface.mesh.faces())
-    for(const Halfedge h : CGAL::halfedges_around_face(surface.mesh.halfedge(f), surface.mesh))
-      boxes[surface.chart[f]] += surface.uv[h].bbox();
-  for(std::size_t c = 0; c < boxes.size(); ++c) {
-    BOOST_TEST(
-      (boxes[c].xmin() >= 0.0249999 && boxes[c].ymin() >= 0.0249999 && boxes[c].xmax() <= 0.9750001 && boxes[c].ymax() <= 0.9750001));
-    for(std::size_t d = 0; d < c; ++d)
-      BOOST_TEST((std::max)({boxes[c].xmin() - boxes[d].xmax(), boxes[d].xmin() - boxes[c].xmax(), boxes[c].ymin() - boxes[d].ymax(),
-                             boxes[d].ymin() - boxes[c].ymax()}) >= 0.0499999);
-  }
+  BOOST_TEST_REQUIRE(wide.charts.size() > 1u);
+  check_distances(surface, 0.05);
+  FFM::Unwrap_options pixels;
+  pixels.packing.resolution = 100;
+  pixels.packing.padding = 5;
+  Atlas_surface same(together(plate_soup(2), ball_soup()));
+  BOOST_TEST(same.unwrap(pixels).scale == wide.scale);
+  pixels.packing.padding = 51;
+  BOOST_TEST(FFM::status_name(same.unwrap(pixels).status) == FFM::status_name(Status::invalid_option));
   // The same charts closer together; without packing, in the units of the surface; packed afterwards.
   FFM::Packing_options closer;
   const FFM::Packing_summary packed = FFM::pack_charts(surface.mesh, surface.uv, closer);
@@ -223,12 +338,24 @@ BOOST_AUTO_TEST_CASE(limits)
   int calls = 0;
   options.observer = [&calls](const FFM::Unwrap_progress& progress) {
     BOOST_TEST(progress.faces_done <= progress.faces);
-    BOOST_TEST(progress.charts_done < progress.charts);
+    BOOST_TEST(progress.charts_done <= progress.charts);
     return ++calls < 4;
   };
   summary = stopped.unwrap(options);
   check_atlas(stopped, summary);
   BOOST_TEST(calls == 4);
+  BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::stopped_by_observer));
+
+  // Seams that the topology does not ask for are not looked for any more once the observer says so.
+  Atlas_surface hurried(together(plate_soup(5), ball_soup()));
+  options.crease_angle = std::numeric_limits<double>::infinity();
+  options.observer = nullptr;
+  const int points = hurried.unwrap(options).cut.points;
+  options.observer = [](const FFM::Unwrap_progress&) { return false; };
+  summary = hurried.unwrap(options);
+  check_atlas(hurried, summary);
+  BOOST_TEST(summary.cut.points <= 2);
+  BOOST_TEST(points > 2);
   BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::stopped_by_observer));
 
   // The method's observer ends all charts, too, not only the one that it is asked about.

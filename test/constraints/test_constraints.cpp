@@ -34,6 +34,15 @@ bool is_convex(const FFM::Simplicial_domain<2>& domain, const FFM::Positions<2>&
   return convex;
 }
 
+// A spring that does not say which vertices it couples.
+template <int D>
+struct Unannounced_spring : Spring<D>
+{
+  using Spring<D>::Spring;
+
+  std::vector<std::vector<std::int32_t>> stencils() const override { return {}; }
+};
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(optima) { check_all_optima<2>(); }
@@ -104,4 +113,43 @@ BOOST_AUTO_TEST_CASE(invalid_constraints)
   check_message<2>({{}, {{3, Eigen::Vector2d(0, nan), 1}}}, "number 0, of vertex number 3, is not finite");
   for(const double weight : {-1e-9, nan, infinity})
     check_message<2>({{}, {{3, Eigen::Vector2d(0, 0), weight}}}, "weight");
+}
+
+// A block that no stencil announces has no place in the matrix: that is an error, not another block.
+BOOST_AUTO_TEST_CASE(blocks_outside_the_stencils)
+{
+  const Distorted_example<2> example;
+  const std::int32_t n = example.domain.number_of_vertices;
+  for(bool moves : {false, true}) {
+    Constraints<2> constraints;
+    constraints.fixed_vertices = {2};
+    Constrained_traits traits;
+    FFM::Map_minimizer<2, Constrained_traits> minimizer(example.domain, traits, constraints);
+    minimizer.add_term(std::make_shared<Unannounced_spring<2>>(0, n - 1, 0.4));
+    FFM::Positions<2> x = example.x, targets = example.x;
+    targets.col(2) *= 1.01;
+    const FFM::Summary summary = moves ? minimizer.move_fixed_vertices(x, targets) : minimizer.minimize(x);
+    BOOST_TEST(FFM::status_name(summary.status) == "invalid_option");
+    BOOST_TEST(summary.message.find("stencil") != std::string::npos, summary.message);
+    BOOST_TEST((x.array() == example.x.array()).all());
+  }
+}
+
+// A term that comes after a run counts from then on, as if it had been there from the beginning.
+BOOST_AUTO_TEST_CASE(terms_after_a_run)
+{
+  const Distorted_example<2> example;
+  const std::int32_t n = example.domain.number_of_vertices;
+  const Term<2> spring = std::make_shared<Spring<2>>(0, n - 1, 0.4);
+  FFM::Positions<2> expected = example.x, x = example.x;
+  BOOST_TEST_REQUIRE(minimized<2>(example.domain, {}, expected, spring).converged());
+
+  Constrained_traits traits;
+  traits.options = tight_options();
+  FFM::Map_minimizer<2, Constrained_traits> minimizer(example.domain, traits);
+  BOOST_TEST(minimizer.minimize(x).converged());
+  x = example.x;
+  minimizer.add_term(spring);
+  BOOST_TEST(minimizer.minimize(x).converged());
+  BOOST_TEST((x.array() == expected.array()).all());
 }

@@ -12,7 +12,7 @@
 
 #include "support/volume_checks.h"
 
-#include <CGAL/Flip_free_maps/IO/volume_files.h>
+#include <CGAL/Flip_free_maps/IO/Medit.h>
 #include <CGAL/Flip_free_maps/deform_volume.h>
 #include <CGAL/Flip_free_maps/domains/Mesh_complex_3_domain.h>
 #ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
@@ -134,8 +134,8 @@ BOOST_AUTO_TEST_CASE(the_same_tetrahedra_have_the_same_energies_from_every_sourc
     mesh.tetrahedra.push_back({numbers.at(c->vertex(0)), numbers.at(c->vertex(1)), numbers.at(c->vertex(2)), numbers.at(c->vertex(3))});
   std::reverse(mesh.tetrahedra.begin(), mesh.tetrahedra.end());
   FFM::Tetrahedral_mesh copy;
-  BOOST_TEST_REQUIRE(FFM::write_volume("same_energies.mesh", mesh, &message), message);
-  BOOST_TEST_REQUIRE(FFM::read_volume("same_energies.mesh", copy, &message), message);
+  BOOST_TEST_REQUIRE(FFM::write_Medit("same_energies.mesh", mesh, &message), message);
+  BOOST_TEST_REQUIRE(FFM::read_Medit("same_energies.mesh", copy, &message), message);
   FFM::Tetrahedral_domain arrays;
   BOOST_TEST_REQUIRE((arrays.load(copy.points, copy.tetrahedra, message) == Status::success), message);
   BOOST_TEST(energy_of(arrays, copy) == summary.energy, boost::test_tools::tolerance(1e-11));

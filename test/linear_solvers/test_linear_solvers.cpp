@@ -29,6 +29,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 #include <tuple>
@@ -365,7 +366,8 @@ BOOST_AUTO_TEST_CASE(robust_solver_falls_back)
     Failing_solver failing;
     failing.fails_in_analysis = fails_in_analysis;
     FFM::Summary summary;
-    FFM::internal::Robust_solver<Failing_solver> solver(failing, summary);
+    FFM::internal::Robust_solver<Failing_solver> solver(failing);
+    const auto reporting = solver.report_to(summary);
     BOOST_TEST(solver.analyze_pattern(matrix));
     const Eigen::VectorXd right = Eigen::VectorXd::Ones(84);
     Eigen::VectorXd x;
@@ -395,7 +397,8 @@ BOOST_AUTO_TEST_CASE(robust_solver_shifts)
   const Eigen::MatrixXd before = dense(matrix);
   FFM::Eigen_simplicial_solver eigen;
   FFM::Summary summary;
-  FFM::internal::Robust_solver<FFM::Eigen_simplicial_solver> solver(eigen, summary);
+  FFM::internal::Robust_solver<FFM::Eigen_simplicial_solver> solver(eigen);
+  const auto reporting = solver.report_to(summary);
   BOOST_TEST_REQUIRE(solver.analyze_pattern(matrix));
   BOOST_TEST_REQUIRE(solver.factorize(matrix, 1e-3));
   Eigen::MatrixXd expected = before;
@@ -416,9 +419,62 @@ BOOST_AUTO_TEST_CASE(robust_solver_gives_up)
   matrix.diagonal(7) = std::numeric_limits<double>::quiet_NaN();
   Failing_solver failing;
   FFM::Summary summary;
-  FFM::internal::Robust_solver<Failing_solver> solver(failing, summary);
+  FFM::internal::Robust_solver<Failing_solver> solver(failing);
+  const auto reporting = solver.report_to(summary);
   BOOST_TEST(solver.analyze_pattern(matrix));
   BOOST_TEST(!solver.factorize(matrix, 1e-9));
   // Each attempt tries both solvers; the number of shifts is bounded.
   BOOST_TEST(summary.factorizations <= 40);
+}
+
+// Work is entered into a summary only as long as the caller asks for it; the summary may be gone afterwards.
+BOOST_AUTO_TEST_CASE(robust_solver_forgets_the_summary)
+{
+  const Triangles triangles = grid_triangles(6, 5);
+  FFM::Block_sparse_matrix matrix;
+  matrix.build_pattern(42, 2, triangles);
+  fill(matrix, triangles, 67);
+  Failing_solver failing;
+  FFM::internal::Robust_solver<Failing_solver> solver(failing);
+  const Eigen::VectorXd right = Eigen::VectorXd::Ones(84);
+  Eigen::VectorXd x;
+  FFM::Summary outer;
+  {
+    const auto reporting = solver.report_to(outer);
+    {
+      auto inner = std::make_unique<FFM::Summary>();
+      const auto nested = solver.report_to(*inner);
+      BOOST_TEST(solver.analyze_pattern(matrix));
+      BOOST_TEST(solver.factorize(matrix, 0));
+      BOOST_TEST(inner->factorizations == 2);
+    }
+    BOOST_TEST(outer.factorizations == 0);
+    BOOST_TEST(solver.solve(right, x));
+    BOOST_TEST(outer.linear_solves == 1);
+  }
+  BOOST_TEST(solver.solve(right, x));
+  BOOST_TEST(residual(matrix, right, x) <= 1e-11);
+  BOOST_TEST(outer.linear_solves == 1);
+
+  // Another pattern: the solver that stepped in analyses it as well.
+  FFM::Block_sparse_matrix other;
+  const Triangles few = grid_triangles(3, 4);
+  other.build_pattern(20, 2, few);
+  fill(other, few, 68);
+  BOOST_TEST(solver.analyze_pattern(other));
+  BOOST_TEST(solver.factorize(other, 0));
+  const Eigen::VectorXd short_right = Eigen::VectorXd::Ones(40);
+  BOOST_TEST(solver.solve(short_right, x));
+  BOOST_TEST(residual(other, short_right, x) <= 1e-11);
+}
+
+BOOST_AUTO_TEST_CASE(pairs_outside_the_pattern_have_no_slot)
+{
+  FFM::Block_sparse_matrix matrix;
+  matrix.build_pattern(5, 2, std::vector<std::array<std::int32_t, 3>>{{0, 1, 3}});
+  BOOST_TEST(matrix.slot(1, 0) == 1);
+  BOOST_TEST(matrix.slot(0, 3) == 2);
+  for(std::int32_t v : {2, 4})
+    BOOST_TEST(matrix.slot(0, v) == -1);
+  BOOST_TEST(matrix.slot(4, 3) == -1);
 }

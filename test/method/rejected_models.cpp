@@ -5,7 +5,7 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Types that lack one requirement of a concept each. With REJECTED_MODEL from 1 to 12 this file must not compile; with 0 it must.
+// Types that lack one requirement of a concept each. With REJECTED_MODEL from 1 to 13 this file must not compile; with 0 it must.
 
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/method/concepts.h>
@@ -152,6 +152,14 @@ struct Rule
 };
 using Bad_part = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, Rule>;
 BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<Bad_part, 2>));
+
+#elif REJECTED_MODEL == 13 // the traits do not say what runs them
+struct No_minimizer : Traits
+{
+private:
+  using Traits::Minimizer;
+};
+BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<No_minimizer, 2>));
 
 #else
 #error "there is no such model"

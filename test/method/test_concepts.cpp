@@ -252,6 +252,8 @@ struct Archetype_traits : Only_from_int
   using Acceleration = Archetype_acceleration;
   using Refactorization_rule = Archetype_rule;
   using Concurrency_tag = CGAL::Sequential_tag;
+  template <int D, typename Traits>
+  using Minimizer = FFM::Map_minimizer<D, Traits>;
 
   using Only_from_int::Only_from_int;
   Energy energy{0};

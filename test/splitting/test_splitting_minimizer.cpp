@@ -13,10 +13,17 @@
 #include "support/splitting_checks.h"
 #include "support/starts.h"
 
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Flip_free_maps/Flip_free_parameterizer_3.h>
 #include <CGAL/Flip_free_maps/deform.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <limits>
 
@@ -48,6 +55,12 @@ FFM::Summary check_splitting(const FFM::Simplicial_domain<2>& domain, FFM::Posit
   BOOST_TEST(summary.min_singular_value > 0);
   return summary;
 }
+
+// Traits of a user who adds something to those of the splitting.
+struct Derived_traits : FFM::Splitting_map_traits<Traits>
+{
+  int number = 0;
+};
 
 } // namespace
 
@@ -94,6 +107,40 @@ BOOST_AUTO_TEST_CASE(handles_that_jump_from_a_model)
   BOOST_TEST(summary.start.find("splitting") != std::string::npos);
   for(std::int32_t v : constraints.fixed_vertices)
     BOOST_TEST((x.col(v).array() == start.col(v).array()).all());
+}
+
+BOOST_AUTO_TEST_CASE(derived_traits_split)
+{
+  // Descending without flips cannot begin at a start with flips, and is called by the name of its preconditioner.
+  const FFM::Simplicial_domain<2> domain = make_domain(bumpy_patch(6, 5));
+  FFM::Positions<2> x = shaken<2>(tutte_start(domain), 0.2, 5);
+  BOOST_TEST_REQUIRE(negative_elements(domain, x) > 0);
+  const FFM::Summary summary = Derived_traits::Minimizer<2, Derived_traits>(domain).minimize(x);
+  BOOST_TEST(summary.converged(), summary.message);
+  BOOST_TEST(summary.preconditioner == "admm_splitting");
+  BOOST_TEST(negative_elements(domain, x) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(drop_in_class_with_another_solver_splits)
+{
+  using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  using Solver_traits = CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
+  using Splitting_traits = FFM::Splitting_map_traits<Traits>;
+  using Parameterizer = FFM::Flip_free_parameterizer_3<Mesh, CGAL::Default, Solver_traits, Splitting_traits>;
+  const Surface surface = bumpy_patch(6, 5);
+  Mesh mesh;
+  for(const Eigen::Vector3d& p : surface.points)
+    mesh.add_vertex({p[0], p[1], p[2]});
+  for(const auto& t : surface.triangles)
+    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  auto uv = mesh.add_property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2>("v:uv").first;
+  FFM::Summary summary;
+  Parameterizer parameterizer(Parameterizer::Border_parameterizer(), Solver_traits(), Splitting_traits(), &summary);
+  const auto code = CGAL::Surface_mesh_parameterization::parameterize(mesh, parameterizer, border, uv);
+  BOOST_TEST(code == CGAL::Surface_mesh_parameterization::OK);
+  BOOST_TEST(summary.converged(), summary.message);
+  BOOST_TEST(summary.preconditioner == "admm_splitting");
 }
 
 BOOST_AUTO_TEST_CASE(session)

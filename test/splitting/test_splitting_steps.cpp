@@ -12,6 +12,7 @@
 
 #include "support/generated_domains.h"
 
+#include <CGAL/Flip_free_maps/energies/Any_energy.h>
 #include <CGAL/Flip_free_maps/energies/Arap.h>
 #include <CGAL/Flip_free_maps/energies/Hencky.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
@@ -45,6 +46,23 @@ struct Arap_with_proximal_map : FFM::Arap
   {
     ++own_proximal_maps;
     return ((q.array() + 2 * c) / (1 + 2 * c)).cwiseMax(1e-12);
+  }
+};
+
+// Another function under the name that it inherits.
+struct Stiffer_gradient : FFM::Symmetric_gradient
+{
+  template <int D>
+  double value(const Vector<D>& s) const
+  {
+    return FFM::Symmetric_gradient::value<D>(s) + (s.array() - 1).square().sum();
+  }
+  template <int D>
+  void derivatives(const Vector<D>& s, Vector<D>& gradient, Matrix<D>& hessian) const
+  {
+    FFM::Symmetric_gradient::derivatives<D>(s, gradient, hessian);
+    gradient.array() += 2 * (s.array() - 1);
+    hessian.diagonal().array() += 2;
   }
 };
 
@@ -239,6 +257,23 @@ BOOST_AUTO_TEST_CASE(proximal_maps_are_minima)
   check_proximal_map<2>(FFM::Arap(), 5);
   // (log s)^2 is convex up to e.
   check_proximal_map<3>(FFM::Hencky(), 2.5);
+}
+
+BOOST_AUTO_TEST_CASE(closed_forms_are_for_the_energy_itself)
+{
+  const auto form = [](const auto& energy) { return FFM::Proximal_map<FFM::Any_energy, 2>(FFM::Any_energy(energy)).closed_form(); };
+  BOOST_CHECK(form(FFM::Symmetric_gradient()) == FFM::Closed_form::symmetric_gradient);
+  BOOST_CHECK(form(FFM::Symmetric_dirichlet()) == FFM::Closed_form::symmetric_dirichlet);
+  BOOST_CHECK(form(Stiffer_gradient()) == FFM::Closed_form::none);
+
+  // At the minimum of c psi / scale + |p - q|^2 / 2 the gradient vanishes.
+  const FFM::Proximal_map<FFM::Any_energy, 2> map{FFM::Any_energy(Stiffer_gradient())};
+  const double c = 0.7;
+  const Vector<2> q(2.5, -0.4), p = map.proximal(q, c);
+  Vector<2> gradient;
+  Matrix<2> hessian;
+  Stiffer_gradient().derivatives<2>(p, gradient, hessian);
+  BOOST_TEST((c / map.scale() * gradient + p - q).norm() < 1e-7);
 }
 
 BOOST_AUTO_TEST_CASE(models_of_the_concepts)

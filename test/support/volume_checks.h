@@ -13,8 +13,8 @@
 
 #include "support/generated_domains.h"
 
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Sparse_linear_algebra_solver.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/Default.h>
@@ -194,9 +195,6 @@ public:
 
     const auto start = [&](const Simplicial_domain<2>& domain, const std::vector<vertex_descriptor>& vertices, Positions<2>& x,
                            std::string& name, std::string& message) {
-      written = vertices;
-      if constexpr(std::is_same<BorderParameterizer_, CGAL::Default>::value)
-        return internal::make_start(domain, traits, x, name, message);
       const Tutte_initializer<typename Traits::Kernel, typename Traits::Linear_solver, typename Traits::Concurrency_tag> tutte(
         traits.start);
       const auto make_solver = [&traits] { return traits.make_linear_solver(); };
@@ -218,7 +216,19 @@ public:
     };
 
     const auto vertex_points = get(CGAL::vertex_point, mesh);
-    const Summary summary = internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, traits, start);
+    const auto prepare = [&](const auto& graph, internal::Planar_request& request, std::string&) {
+      written = graph.vertices();
+      if constexpr(!std::is_same<BorderParameterizer_, CGAL::Default>::value)
+        request.make_start = [&](Positions<2>& x, std::string& name, std::string& message) {
+          return start(graph.domain(), written, x, name, message);
+        };
+      static_cast<void>(start);
+      static_cast<void>(request);
+      return Status::success;
+    };
+    internal::Planar_solver<Traits> solver{traits};
+    const Summary summary = internal::parameterize_patch(
+      mesh, border_halfedge, vertex_points, uv_map, traits.options, prepare, [](vertex_descriptor, auto&) { return false; }, solver);
     if(summary.is_valid())
       for(vertex_descriptor v : written)
         put(vertex_parameterized_map, v, true);

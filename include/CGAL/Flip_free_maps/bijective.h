@@ -12,8 +12,11 @@
 /// The named parameter that asks `parameterize()` for a map that does not overlap itself. It is apart from the others because the
 /// triangulations behind it take time to compile.
 
+#include <CGAL/Flip_free_maps/core/flatten_disk_bijectively.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
-#include <CGAL/Flip_free_maps/parameterization/internal/Bijective_minimizer.h>
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/core/flatten_disk_bijectively_impl.h>
+#endif
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -27,8 +30,7 @@ namespace parameters {
 template <typename Base = CGAL::parameters::Default_named_parameters>
 auto bijective(bool is_bijective, const Base& base = Base())
 {
-  return CGAL::Named_function_parameters<internal::Bijective_minimization, internal::Bijective_tag, Base>(
-    internal::Bijective_minimization{is_bijective, false}, base);
+  return CGAL::Named_function_parameters<bool, internal::Bijective_tag, Base>(is_bijective, base);
 }
 
 } // namespace parameters

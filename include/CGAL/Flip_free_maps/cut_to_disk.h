@@ -9,12 +9,21 @@
 #define CGAL_FLIP_FREE_MAPS_CUT_TO_DISK_H
 
 #include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
+#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -60,7 +69,8 @@ namespace Flip_free_maps {
 ///
 /// Complexity: O(n log n) for each round of branches and each loop of a handle,
 /// beside the factorization of one Laplace matrix per round.
-template <typename TriangleMesh, typename EdgeIsCutMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+template <typename TriangleMesh, typename EdgeIsCutMap, typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<!internal::Is_array<TriangleMesh>::value, int> = 0>
 Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeIsCutMap edge_is_cut, const Cut_options& options = Cut_options(),
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
@@ -78,6 +88,63 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeIsCutMap edge_is_cut, cons
       return false;
   };
   return internal::cut_mesh(mesh, vertex_points, edge_is_cut, is_feature, options);
+}
+
+/// \ingroup PkgFlipFreeMapsSeams
+/// The same with what seams shall reach as a named parameter: `cut_options` of `Flip_free_maps::parameters`.
+template <typename TriangleMesh, typename EdgeIsCutMap, typename T, typename Tag, typename Base,
+          std::enable_if_t<!internal::Is_array<TriangleMesh>::value, int> = 0>
+Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeIsCutMap edge_is_cut, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return cut_to_disk(mesh, edge_is_cut, internal::parameter_or(np, internal::cut_options_tag, Cut_options()), np);
+}
+
+/// \ingroup PkgFlipFreeMapsSeams
+/// The same for arrays.
+///
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
+/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param seams a container of pairs of indices, such as `std::vector<std::array<int, 2>>`: the edges that are seams. Those that are
+///   there before, the user's, are kept; on success the others follow.
+/// \param np optional named parameters: `cut_options`
+/// \returns as for meshes; also `invalid_option` for an index out of range and for a seam that is no edge
+template <typename PointRange, typename TriangleRange, typename SeamRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Cut_summary cut_to_disk(const PointRange& points, const TriangleRange& triangles, SeamRange& seams,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Seam = typename SeamRange::value_type;
+  using Index = std::decay_t<decltype(std::declval<const Seam&>()[0])>;
+  internal::Triangle_surface surface;
+  Cut_summary summary;
+  const auto run = [&] {
+    summary.status = surface.load(points, triangles, summary.message);
+    if(summary.status != Status::success)
+      return;
+    std::vector<char> is_cut(3 * surface.triangles().size(), 0);
+    for(const Seam& seam : seams) {
+      const std::int32_t h =
+        surface.halfedge_between(internal::vertex_of_index(seam[0], points.size()), internal::vertex_of_index(seam[1], points.size()));
+      if(h == internal::Triangle_surface::NONE) {
+        summary.status = Status::invalid_option;
+        summary.message = "there is no edge from " + std::to_string(seam[0]) + " to " + std::to_string(seam[1]);
+        return;
+      }
+      is_cut[edge(internal::Surface_halfedge{h}, surface)] = 1;
+    }
+    std::vector<char> was_cut = is_cut;
+    summary = internal::cut_mesh(
+      surface, get(CGAL::vertex_point, surface), internal::Array_map<char>{&is_cut}, [](const internal::Surface_edge&) { return false; },
+      internal::parameter_or(np, internal::cut_options_tag, Cut_options()));
+    for(std::size_t h = 0; h < is_cut.size(); ++h)
+      if(is_cut[h] && !was_cut[h]) {
+        const std::int32_t e = static_cast<std::int32_t>(h);
+        seams.push_back(Seam{static_cast<Index>(surface.source(e)), static_cast<Index>(surface.target(e))});
+      }
+  };
+  internal::catch_out_of_memory(run, summary);
+  return summary;
 }
 
 } // namespace Flip_free_maps

@@ -12,20 +12,22 @@
 #include <CGAL/Flip_free_maps/constraints/internal/repeated_handles.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
-#include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -141,8 +143,55 @@ private:
   std::vector<std::pair<std::size_t, std::size_t>> m_repeated; // see `repeated_handles()`
   Positions<D> m_positions;
   Positions<D> m_x; // in the domain's units
-  Map_minimizer<D, Traits> m_minimizer;
+  typename Traits::template Minimizer<D, Traits> m_minimizer;
 };
+
+namespace internal {
+
+// Deforms a planar mesh that `load(graph, start, message)` reads. Handles are pairs of the mesh' vertices and places.
+template <typename TriangleMesh, typename Load, typename Handles, typename VertexPointMap2, typename Traits, typename NamedParameters>
+Summary deform_planar(Load&& load, const Handles& handles, VertexPointMap2 result, const Traits& traits, const NamedParameters& np)
+{
+  static_cast<void>(np);
+  Summary summary;
+  Face_graph_domain<TriangleMesh> graph;
+  Positions<2> x;
+  const auto solve = [&] {
+    const Simplicial_domain<2>& domain = graph.domain();
+    x = (domain.scale * x).colwise() + domain.origin;
+    summary.start = "rest shape";
+    if constexpr(Has_parameter<NamedParameters, Start_map_tag>::value) {
+      summary.start = "given";
+      for(std::int32_t v = 0; v < domain.number_of_vertices; ++v) {
+        const auto& p = get(CGAL::parameters::get_parameter(np, start_map_tag), graph.vertices()[v]);
+        x.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]);
+      }
+    }
+    std::vector<std::int32_t> numbers;
+    std::vector<Vector<2>> places;
+    for(const auto& handle : handles) {
+      numbers.push_back(graph.number_of(handle.first));
+      places.push_back(Vector<2>(CGAL::to_double(handle.second[0]), CGAL::to_double(handle.second[1])));
+      if(numbers.back() < 0) {
+        summary.status = Status::invalid_option;
+        summary.message = "a handle is not a vertex of a face";
+        return;
+      }
+    }
+    Positions<2> targets(2, places.size());
+    for(std::size_t i = 0; i < places.size(); ++i)
+      targets.col(i) = places[i];
+    Deformation<2, Traits> deformation(domain, x, numbers, traits);
+    deformation.move(targets, summary);
+    x = deformation.positions();
+  };
+  run_map(
+    summary, [&](std::string& message) { return load(graph, x, message); }, solve,
+    [&] { write_positions<typename Traits::Kernel>(graph.domain(), graph.vertices(), x, result, summary); });
+  return summary;
+}
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Deforms a planar shape: vertices that are handles go where they are told, the others follow with as little distortion as
@@ -158,66 +207,47 @@ private:
 /// \param handles the handles and their targets; a vertex may be given more than once, with the same target
 /// \param result receives the deformed shape. It is written once, at the end, if the map is valid, and left untouched otherwise.
 /// \param traits the method and its settings
-/// \param np `vertex_point_map`, points in the plane or in space with the same third coordinate; and
-///   `Flip_free_maps::parameters::start_map`, the shape to begin with instead of the one at rest
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with vertex descriptors as keys and points in the plane, or in space with the
+///     same third coordinate, as values}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::start_map}
+///     \cgalParamDescription{the shape to begin with, instead of the one at rest}
+///     \cgalParamType{a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values}
+///     \cgalParamDefault{the shape at rest}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \returns how it ended and what it cost: as `parameterize()`, or `not_planar`,
 ///   `several_components` or `unreachable_constraints`
 template <typename TriangleMesh, typename Handles, typename VertexPointMap2, typename Traits,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<!internal::Is_array<TriangleMesh>::value, int> = 0>
 Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2 result, const Traits& traits,
                const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  Summary summary;
-  const auto run = [&] {
-    const internal::Phase_timer total(summary.seconds.total, &summary.cpu_seconds);
-    const auto vertex_points =
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
-    Face_graph_domain<TriangleMesh> graph;
-    Positions<2> start;
-    {
-      const internal::Phase_timer timer(summary.seconds.load);
-      summary.status = graph.load_planar(mesh, vertex_points, start, summary.message);
-    }
-    if(summary.status != Status::success)
-      return;
-    const Simplicial_domain<2>& domain = graph.domain();
-    start = (domain.scale * start).colwise() + domain.origin;
-    summary.start = "rest shape";
-    if constexpr(internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value) {
-      summary.start = "given";
-      for(std::int32_t v = 0; v < domain.number_of_vertices; ++v) {
-        const auto& p = get(get_parameter(np, internal::start_map_tag), graph.vertices()[v]);
-        start.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]);
-      }
-    }
+  const auto vertex_points =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+  return internal::deform_planar<TriangleMesh>(
+    [&](auto& graph, Positions<2>& x, std::string& message) { return graph.load_planar(mesh, vertex_points, x, message); }, handles, result,
+    traits, np);
+}
 
-    std::vector<std::int32_t> numbers;
-    std::vector<internal::Vector<2>> places;
-    for(const auto& handle : handles) {
-      numbers.push_back(graph.number_of(handle.first));
-      places.push_back(internal::Vector<2>(CGAL::to_double(handle.second[0]), CGAL::to_double(handle.second[1])));
-      if(numbers.back() < 0) {
-        summary.status = Status::invalid_option;
-        summary.message = "a handle is not a vertex of a face";
-        return;
-      }
-    }
-    Positions<2> targets(2, places.size());
-    for(std::size_t i = 0; i < places.size(); ++i)
-      targets.col(i) = places[i];
-    Deformation<2, Traits> deformation(domain, start, numbers, traits);
-    deformation.move(targets, summary);
-    if(!summary.is_valid())
-      return;
-    const internal::Phase_timer timer(summary.seconds.certify);
-    internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), deformation.positions(), result, summary);
-  };
-  internal::catch_out_of_memory(run, summary);
-  summary.peak_memory_mb = internal::peak_memory_mb();
-  return summary;
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with the method as a named parameter: `Flip_free_maps::parameters::map_traits` and `map_options`.
+template <typename TriangleMesh, typename Handles, typename VertexPointMap2, typename T, typename Tag, typename Base,
+          std::enable_if_t<!internal::Is_array<TriangleMesh>::value, int> = 0>
+Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2 result,
+               const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return deform(mesh, handles, result, internal::chosen_traits<Flip_free_map_traits<>>(np), np);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -226,6 +256,45 @@ template <typename TriangleMesh, typename Handles, typename VertexPointMap2>
 Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2 result)
 {
   return deform(mesh, handles, result, Flip_free_map_traits<>(), CGAL::parameters::default_values());
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays.
+///
+/// \param points the points of the shape: a container with `operator[]`, as `std::vector`, of points in the plane, or in space with
+///   the same third coordinate
+/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param handles pairs of an index into `points` and a planar point
+/// \param result a container of planar points, which becomes as long as `points` if the map is valid, and is left untouched otherwise;
+///   points that no triangle uses stay where they are
+/// \param np optional named parameters: `map_traits`, `map_options` and `start_map`, with indices as keys
+/// \returns as for meshes; also `invalid_option` for an index out of range and `non_manifold`
+template <typename PointRange, typename TriangleRange, typename Handles, typename ResultRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Summary deform(const PointRange& points, const TriangleRange& triangles, const Handles& handles, ResultRange& result,
+               const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Point = typename ResultRange::value_type;
+  internal::Triangle_surface surface;
+  std::vector<Point> values;
+  std::vector<std::pair<internal::Surface_vertex, internal::Vector<2>>> vertex_handles;
+  for(const auto& [v, p] : handles)
+    vertex_handles.emplace_back(internal::vertex_of_index(v, points.size()),
+                                internal::Vector<2>(CGAL::to_double(p[0]), CGAL::to_double(p[1])));
+  const auto load = [&](auto& graph, Positions<2>& x, std::string& message) {
+    const Status status = surface.load(points, triangles, message);
+    if(status != Status::success)
+      return status;
+    for(const auto& p : points)
+      values.push_back(internal::make_point_2<Point>(CGAL::to_double(p[0]), CGAL::to_double(p[1])));
+    return graph.load_planar(surface, get(CGAL::vertex_point, surface), x, message);
+  };
+  const Summary summary = internal::deform_planar<internal::Triangle_surface>(load, vertex_handles, internal::Array_map<Point>{&values},
+                                                                              internal::chosen_traits<Flip_free_map_traits<>>(np), np);
+  if(summary.is_valid())
+    result = ResultRange(values.begin(), values.end());
+  return summary;
 }
 
 } // namespace Flip_free_maps

@@ -10,17 +10,22 @@
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/constraints/internal/repeated_handles.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
-#include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
+#include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,6 +43,65 @@ struct Deform_volume_options
   /// Empty for the rest shape.
   Positions<3> start = Positions<3>(3, 0);
 };
+
+namespace internal {
+
+// Deforms a solid that `load(message)` reads into `volume`.
+template <typename Vertex, typename Load, typename Handles, typename VertexPointMap, typename Traits>
+Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex>& volume, const Handles& handles, VertexPointMap result,
+                             const Traits& traits, const Deform_volume_options& options)
+{
+  Summary summary;
+  summary.dimension = 3;
+  const Simplicial_domain<3>& domain = volume.domain();
+  std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
+  Positions<3> x;
+  const auto fail = [&summary](Status status, const std::string& message) {
+    summary.status = status;
+    summary.message = message;
+  };
+  const auto solve = [&] {
+    if(domain.number_of_elements() == 0)
+      return fail(Status::empty_mesh, "the domain holds no tetrahedra");
+    if(volume.number_of_components() > 1)
+      return fail(Status::several_components, "the tetrahedra form several components");
+    if(!(options.soft_weight >= 0) || (options.start.cols() != 0 && options.start.cols() != domain.number_of_vertices))
+      return fail(Status::invalid_option, "soft_weight must not be negative, and a start must have a column for each vertex");
+    Position_constraints<3> constraints;
+    x = domain.rest_points;
+    summary.start = options.start.cols() == 0 ? "rest shape" : "given";
+    if(options.start.cols() != 0)
+      x = (options.start.colwise() - domain.origin) / domain.scale;
+    Positions<3> targets = x;
+    for(const auto& handle : handles) {
+      const std::int32_t v = volume.number(handle.first);
+      if(v < 0)
+        return fail(Status::invalid_option, "a handle is not a vertex of a tetrahedron");
+      const Eigen::Vector3d place(CGAL::to_double(handle.second[0]), CGAL::to_double(handle.second[1]), CGAL::to_double(handle.second[2]));
+      if(options.soft_weight > 0) {
+        constraints.soft_positions.push_back({v, volume.to_domain(place), options.soft_weight});
+        continue;
+      }
+      constraints.fixed_vertices.push_back(v);
+      targets.col(v) = volume.to_domain(place);
+      exact_places.emplace_back(v, place);
+    }
+    for(const auto& [i, j] : repeated_handles(constraints.fixed_vertices))
+      if(exact_places[i].second != exact_places[j].second)
+        return fail(Status::invalid_option, TWO_TARGETS);
+    typename Traits::template Minimizer<3, Traits> minimizer(domain, traits, constraints);
+    minimizer.move_fixed_vertices(x, targets, summary);
+  };
+  run_map(summary, load, solve, [&] {
+    std::string message;
+    const Status status = volume.write_back(x, result, message, exact_places);
+    if(status != Status::success)
+      fail(status, message);
+  });
+  return summary;
+}
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Deforms a solid: vertices that are handles go where they are told, the others follow with as little distortion as possible,
@@ -63,55 +127,52 @@ template <typename Vertex, typename Handles, typename VertexPointMap, typename T
 Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handles, VertexPointMap result, const Traits& traits = Traits(),
                       const Deform_volume_options& options = Deform_volume_options())
 {
-  Summary summary;
-  const Simplicial_domain<3>& domain = volume.domain();
-  const auto run = [&] {
-    const internal::Phase_timer total(summary.seconds.total, &summary.cpu_seconds);
-    const auto fail = [&summary](Status status, const char* message) {
-      summary.status = status;
-      summary.message = message;
-    };
-    if(domain.number_of_elements() == 0)
-      return fail(Status::empty_mesh, "the domain holds no tetrahedra");
-    if(volume.number_of_components() > 1)
-      return fail(Status::several_components, "the tetrahedra form several components");
-    if(!(options.soft_weight >= 0) || (options.start.cols() != 0 && options.start.cols() != domain.number_of_vertices))
-      return fail(Status::invalid_option, "soft_weight must not be negative, and a start must have a column for each vertex");
-    Position_constraints<3> constraints;
-    std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
-    Positions<3> x = domain.rest_points;
-    summary.start = options.start.cols() == 0 ? "rest shape" : "given";
-    if(options.start.cols() != 0)
-      x = (options.start.colwise() - domain.origin) / domain.scale;
-    Positions<3> targets = x;
-    for(const auto& handle : handles) {
-      const std::int32_t v = volume.number(handle.first);
-      if(v < 0)
-        return fail(Status::invalid_option, "a handle is not a vertex of a tetrahedron");
-      const Eigen::Vector3d place(CGAL::to_double(handle.second[0]), CGAL::to_double(handle.second[1]), CGAL::to_double(handle.second[2]));
-      if(options.soft_weight > 0) {
-        constraints.soft_positions.push_back({v, volume.to_domain(place), options.soft_weight});
-        continue;
-      }
-      constraints.fixed_vertices.push_back(v);
-      targets.col(v) = volume.to_domain(place);
-      exact_places.emplace_back(v, place);
-    }
-    for(const auto& [i, j] : internal::repeated_handles(constraints.fixed_vertices))
-      if(exact_places[i].second != exact_places[j].second)
-        return fail(Status::invalid_option, internal::TWO_TARGETS);
-    Map_minimizer<3, Traits> minimizer(domain, traits, constraints);
-    minimizer.move_fixed_vertices(x, targets, summary);
-    if(!summary.is_valid())
-      return;
-    const internal::Phase_timer timer(summary.seconds.certify);
-    std::string message;
-    const Status status = volume.write_back(x, result, message, exact_places);
-    if(status != Status::success)
-      fail(status, message.c_str());
+  return internal::deform_loaded_volume([](std::string&) { return Status::success; }, volume, handles, result, traits, options);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with named parameters: `map_traits`, `map_options` and `volume_options` of `Flip_free_maps::parameters`.
+template <typename Vertex, typename Handles, typename VertexPointMap, typename T, typename Tag, typename Base>
+Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handles, VertexPointMap result,
+                      const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return deform_volume(volume, handles, result, internal::chosen_traits<Flip_free_map_traits<>>(np),
+                       internal::parameter_or(np, internal::volume_options_tag, Deform_volume_options()));
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays.
+///
+/// \param points the points of the solid: a container with `operator[]`, as `std::vector`, of points in space
+/// \param tetrahedra the tetrahedra: a container of quadruples of indices into `points`
+/// \param handles pairs of an index into `points` and a point in space
+/// \param result a container of points in space, which becomes as long as `points` if the map is valid, and is left untouched
+///   otherwise; points that no tetrahedron uses stay where they are
+/// \param np optional named parameters, as above
+/// \returns as above, or what `Tetrahedral_domain::load()` finds
+template <typename PointRange, typename TetrahedronRange, typename Handles, typename ResultRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Summary deform_volume(const PointRange& points, const TetrahedronRange& tetrahedra, const Handles& handles, ResultRange& result,
+                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Point = typename ResultRange::value_type;
+  Tetrahedral_domain volume;
+  std::vector<Point> values;
+  std::vector<std::pair<std::size_t, Eigen::Vector3d>> vertex_handles;
+  for(const auto& [v, p] : handles)
+    vertex_handles.emplace_back(static_cast<std::size_t>(v),
+                                Eigen::Vector3d(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])));
+  const auto load = [&](std::string& message) {
+    for(const auto& p : points)
+      values.push_back(internal::make_point_3<Point>(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])));
+    return volume.load(points, tetrahedra, message);
   };
-  internal::catch_out_of_memory(run, summary);
-  summary.peak_memory_mb = internal::peak_memory_mb();
+  const Summary summary = internal::deform_loaded_volume<std::size_t>(
+    load, volume, vertex_handles, internal::Array_map<Point>{&values}, internal::chosen_traits<Flip_free_map_traits<>>(np),
+    internal::parameter_or(np, internal::volume_options_tag, Deform_volume_options()));
+  if(summary.is_valid())
+    result = ResultRange(values.begin(), values.end());
   return summary;
 }
 

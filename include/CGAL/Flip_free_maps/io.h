@@ -8,9 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_IO_H
 #define CGAL_FLIP_FREE_MAPS_IO_H
 
-#include <CGAL/Flip_free_maps/IO/Layout_picture.h>
 #include <CGAL/Flip_free_maps/IO/OBJ.h>
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -35,11 +34,11 @@ namespace Flip_free_maps {
 /// \param mesh a triangle mesh
 /// \param uv_map its uv map
 /// \param np optional named parameters: `vertex_point_map`, as in `parameterize()`
-template <typename TriangleMesh, typename VertexUVMap, typename NamedParameters = parameters::Default_named_parameters>
-Textured_mesh textured_mesh(const TriangleMesh& mesh, VertexUVMap uv_map, const NamedParameters& np = parameters::default_values())
+template <typename TriangleMesh, typename VertexUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Textured_mesh textured_mesh(const TriangleMesh& mesh, VertexUVMap uv_map, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                                          get_const_property_map(CGAL::vertex_point, mesh));
+  const auto vertex_points = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                                                get_const_property_map(CGAL::vertex_point, mesh));
   Textured_mesh result;
   std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> numbers;
   for(const auto face : faces(mesh)) {

@@ -8,7 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_IS_BIJECTIVE_H
 #define CGAL_FLIP_FREE_MAPS_IS_BIJECTIVE_H
 
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
+#include <CGAL/Flip_free_maps/internal/error_message.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 
 #include <CGAL/number_utils.h>
@@ -19,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -67,7 +70,7 @@ bool is_bijective_on_corners(const TriangleMesh& mesh, Image&& image, std::strin
 ///
 /// Complexity: \f$ O(n \log n + b \log^2 b + k + c^2) \f$ for \f$ n \f$ triangles, \f$ b \f$ border edges with \f$ k \f$ pairs of
 /// overlapping bounding boxes, and \f$ c \f$ borders.
-template <typename TriangleMesh, typename VertexUVMap>
+template <typename TriangleMesh, typename VertexUVMap, std::enable_if_t<!internal::Is_array<TriangleMesh>::value, int> = 0>
 bool is_bijective(const TriangleMesh& mesh, VertexUVMap uv_map, std::string* message = nullptr)
 {
   return internal::is_bijective_on_corners(
@@ -98,6 +101,28 @@ inline bool is_bijective(const Textured_mesh& mesh, std::string* message = nullp
     for(int k = 0; k < 3; ++k) {
       const auto& p = mesh.texture[mesh.texture_triangles[i][k]];
       element[k] = numbers(mesh.triangles[i][k], p[0], p[1]);
+    }
+    elements.push_back(element);
+  }
+  return internal::is_bijective(elements, numbers.positions(), message);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays: triples of indices into `uv`, a container of planar points with `operator[]`. `false`, with a message, also
+/// for an index out of range.
+template <typename TriangleRange, typename UVRange, std::enable_if_t<internal::Is_array<TriangleRange>::value, int> = 0>
+bool is_bijective(const TriangleRange& triangles, const UVRange& uv, std::string* message = nullptr)
+{
+  internal::Corner_numbers<std::size_t> numbers;
+  std::vector<std::array<std::int32_t, 3>> elements;
+  for(const auto& triangle : triangles) {
+    std::array<std::int32_t, 3> element;
+    for(int k = 0; k < 3; ++k) {
+      // A negative number becomes a very large one.
+      const std::size_t v = static_cast<std::size_t>(triangle[k]);
+      if(v >= uv.size())
+        return internal::fail(message, "an index is out of range in triangle number " + std::to_string(elements.size()));
+      element[k] = numbers(v, CGAL::to_double(uv[v][0]), CGAL::to_double(uv[v][1]));
     }
     elements.push_back(element);
   }

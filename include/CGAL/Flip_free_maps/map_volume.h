@@ -12,12 +12,16 @@
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/initializers/internal/uniform_extension.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/repair_map.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
+#include <CGAL/Default.h>
+#include <CGAL/Named_function_parameters.h>
+
 #include <cstdint>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -52,19 +56,20 @@ Summary map_volume(const Simplicial_domain<3>& domain, const std::vector<std::in
                    Volume_start start = Volume_start::extension, const Repair_options& options = Repair_options(),
                    const Traits& traits = Traits())
 {
-  Position_constraints<3> constraints;
-  constraints.fixed_vertices = boundary_vertices;
   Summary summary;
-  summary.vertices = domain.number_of_vertices;
-  summary.elements = domain.number_of_elements();
-  summary.status = Status::invalid_option;
-  if(!constraints.is_valid(domain.number_of_vertices, &summary.message))
-    return summary;
-  if(x.cols() != domain.number_of_vertices) {
-    summary.message = "the positions must have a column for each vertex";
-    return summary;
-  }
-  try {
+  const auto run = [&] {
+    Position_constraints<3> constraints;
+    constraints.fixed_vertices = boundary_vertices;
+    summary.vertices = domain.number_of_vertices;
+    summary.elements = domain.number_of_elements();
+    summary.dimension = 3;
+    summary.status = Status::invalid_option;
+    if(!constraints.is_valid(domain.number_of_vertices, &summary.message))
+      return;
+    if(x.cols() != domain.number_of_vertices) {
+      summary.message = "the positions must have a column for each vertex";
+      return;
+    }
     Positions<3> result = x;
     double seconds = 0;
     if(start == Volume_start::extension) {
@@ -72,20 +77,27 @@ Summary map_volume(const Simplicial_domain<3>& domain, const std::vector<std::in
       if(!internal::uniform_extension(domain, boundary_vertices, traits.make_linear_solver(), result)) {
         summary.status = Status::linear_solver_failed;
         summary.message = "the vertices inside could not be placed: each component needs prescribed positions";
-        return summary;
+        return;
       }
     }
     summary = repair_map(domain, result, constraints, options, traits);
     summary.start = (start == Volume_start::extension ? "uniform extension, then " : "given positions, then ") + summary.start;
     summary.seconds.start += seconds;
-    summary.seconds.total += seconds;
     if(summary.is_valid())
       x = result;
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+  };
+  internal::account_run(summary, run);
   return summary;
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with named parameters: `map_traits`, `map_options` and `repair_options` of `Flip_free_maps::parameters`.
+template <typename T, typename Tag, typename Base>
+Summary map_volume(const Simplicial_domain<3>& domain, const std::vector<std::int32_t>& boundary_vertices, Positions<3>& x,
+                   Volume_start start, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return map_volume(domain, boundary_vertices, x, start, internal::parameter_or(np, internal::repair_options_tag, Repair_options()),
+                    internal::chosen_traits<Flip_free_map_traits<CGAL::Default, Symmetric_gradient>>(np));
 }
 
 } // namespace Flip_free_maps

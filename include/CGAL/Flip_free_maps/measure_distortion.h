@@ -8,7 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_MEASURE_DISTORTION_H
 #define CGAL_FLIP_FREE_MAPS_MEASURE_DISTORTION_H
 
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/measure/Distortion_report.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -71,12 +73,50 @@ Distortion_report measure_faces(const TriangleMesh& mesh, const VertexPointMap& 
 /// \param np optional named parameters: `vertex_point_map`, as in `parameterize()`
 ///
 /// Complexity: linear.
-template <typename TriangleMesh, typename VertexUVMap, typename NamedParameters = parameters::Default_named_parameters>
-Distortion_report measure_distortion(const TriangleMesh& mesh, VertexUVMap uv_map, const NamedParameters& np = parameters::default_values())
+template <typename TriangleMesh, typename VertexUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<!internal::Is_array<TriangleMesh>::value, int> = 0>
+Distortion_report measure_distortion(const TriangleMesh& mesh, VertexUVMap uv_map,
+                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                                          get_const_property_map(CGAL::vertex_point, mesh));
+  const auto vertex_points = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                                                get_const_property_map(CGAL::vertex_point, mesh));
   return internal::measure_faces(mesh, vertex_points, uv_map, [](const auto&, double) {});
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays.
+///
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
+/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param uv the image of each point, a container of planar points as long as `points`
+/// \returns as above; the status is `invalid_option` for an index out of range or a map of another length
+template <typename PointRange, typename TriangleRange, typename UVRange, std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Distortion_report measure_distortion(const PointRange& points, const TriangleRange& triangles, const UVRange& uv)
+{
+  internal::Distortion_measure measure;
+  if(uv.size() != points.size()) {
+    measure.fail(Status::invalid_option, "the map must have an image for each point; faces measured: ");
+    return measure.report();
+  }
+  for(const auto& triangle : triangles) {
+    internal::Matrix<3> corners;
+    Eigen::Matrix<double, 2, 3> image;
+    for(int k = 0; k < 3; ++k) {
+      // A negative number becomes a very large one.
+      const std::size_t v = static_cast<std::size_t>(triangle[k]);
+      if(v >= points.size()) {
+        measure.fail(Status::invalid_option, "an index is out of range in face number ");
+        return measure.report();
+      }
+      const auto& p = points[v];
+      const auto& q = uv[v];
+      corners.col(k) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]);
+      image.col(k) << CGAL::to_double(q[0]), CGAL::to_double(q[1]);
+    }
+    if(std::isnan(measure.add(corners, image)))
+      break;
+  }
+  return measure.report();
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -113,12 +153,12 @@ inline Distortion_report measure_distortion(const Textured_mesh& mesh, std::vect
 ///
 /// \returns `success`, `empty_mesh`, `not_triangular`, `non_finite_input` or `degenerate_rest_element`
 template <typename TriangleMesh, typename VertexUVMap, typename FaceDistortionMap,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Status face_distortions(const TriangleMesh& mesh, VertexUVMap uv_map, FaceDistortionMap distortion_map,
-                        const NamedParameters& np = parameters::default_values())
+                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                                          get_const_property_map(CGAL::vertex_point, mesh));
+  const auto vertex_points = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                                                get_const_property_map(CGAL::vertex_point, mesh));
   return internal::measure_faces(mesh, vertex_points, uv_map, [&](const auto& face, double energy) { put(distortion_map, face, energy); })
     .status;
 }

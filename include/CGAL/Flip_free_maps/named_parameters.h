@@ -26,6 +26,74 @@ struct Has_parameter
                       CGAL::internal_np::Param_not_found>>
 {};
 
+// A named parameter after those of `base`. A parameter is a tag and a function that calls this one.
+template <typename Tag, typename T, typename Base>
+CGAL::Named_function_parameters<T, Tag, Base> named_parameter(const T& value, const Base& base)
+{
+  return CGAL::Named_function_parameters<T, Tag, Base>(value, base);
+}
+
+// A copy of what a named parameter holds, or of a default.
+template <typename NamedParameters, typename Tag, typename Value>
+auto parameter_or(const NamedParameters& np, Tag tag, const Value& otherwise)
+{
+  if constexpr(Has_parameter<NamedParameters, Tag>::value) {
+    static_cast<void>(otherwise);
+    return CGAL::parameters::get_parameter(np, tag);
+  } else {
+    static_cast<void>(np);
+    static_cast<void>(tag);
+    return otherwise;
+  }
+}
+
+enum Map_traits_tag
+{
+  map_traits_tag
+};
+enum Map_options_tag
+{
+  map_options_tag
+};
+enum Repair_options_tag
+{
+  repair_options_tag
+};
+enum Seam_options_tag
+{
+  seam_options_tag
+};
+enum Cut_options_tag
+{
+  cut_options_tag
+};
+enum Packing_options_tag
+{
+  packing_options_tag
+};
+enum Unwrap_options_tag
+{
+  unwrap_options_tag
+};
+enum Volume_options_tag
+{
+  volume_options_tag
+};
+enum Tetrahedralization_options_tag
+{
+  tetrahedralization_options_tag
+};
+
+// The method that named parameters ask for: `map_traits`, with `map_options` in place of its own settings.
+template <typename DefaultTraits, typename NamedParameters>
+auto chosen_traits(const NamedParameters& np)
+{
+  auto traits = parameter_or(np, map_traits_tag, DefaultTraits());
+  if constexpr(Has_parameter<NamedParameters, Map_options_tag>::value)
+    traits.options = CGAL::parameters::get_parameter(np, map_options_tag);
+  return traits;
+}
+
 enum Start_map_tag
 {
   start_map_tag
@@ -53,11 +121,82 @@ enum Edge_is_feature_map_tag
 
 } // namespace internal
 
-/// Named parameters of this package, beside those of CGAL. They chain with the latter by their second argument:
-/// `Flip_free_maps::parameters::start_map(uv, CGAL::parameters::vertex_point_map(points))`.
+/// Named parameters of this package, beside those of CGAL. Those of CGAL follow as members, those of this package go around what
+/// is there: `parameters::start_map(uv, parameters::map_traits(traits)).vertex_point_map(points)`.
 namespace parameters {
 
-using namespace CGAL::parameters;
+/// \ingroup PkgFlipFreeMapsRef
+/// The method and its settings: a model of `MapTraits`. <b>Default:</b> `Flip_free_map_traits<>`.
+template <typename Traits, typename Base = CGAL::parameters::Default_named_parameters>
+auto map_traits(const Traits& traits, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Map_traits_tag>(traits, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The settings of the method, in place of those that its traits hold: `Map_options`, or `Splitting_options` with
+/// `Splitting_map_traits`.
+template <typename Options, typename Base = CGAL::parameters::Default_named_parameters>
+auto map_options(const Options& options, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Map_options_tag>(options, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// `Repair_options`, how `repair_map()` removes flips.
+template <typename Options, typename Base = CGAL::parameters::Default_named_parameters>
+auto repair_options(const Options& options, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Repair_options_tag>(options, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// `Seam_options`, how seams are met.
+template <typename Options, typename Base = CGAL::parameters::Default_named_parameters>
+auto seam_options(const Options& options, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Seam_options_tag>(options, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// `Cut_options`, what seams shall reach.
+template <typename Options, typename Base = CGAL::parameters::Default_named_parameters>
+auto cut_options(const Options& options, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Cut_options_tag>(options, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// `Packing_options`, margin and rotation of charts.
+template <typename Options, typename Base = CGAL::parameters::Default_named_parameters>
+auto packing_options(const Options& options, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Packing_options_tag>(options, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// `Unwrap_options`, how `unwrap()` cuts, splits and packs.
+template <typename Options, typename Base = CGAL::parameters::Default_named_parameters>
+auto unwrap_options(const Options& options, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Unwrap_options_tag>(options, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// `Deform_volume_options`, soft handles and another start.
+template <typename Options, typename Base = CGAL::parameters::Default_named_parameters>
+auto volume_options(const Options& options, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Volume_options_tag>(options, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// `Tetrahedralization_options`, or `Tetgen_options` for `tetrahedralize_with_tetgen()`: the sizes of tetrahedra.
+template <typename Options, typename Base = CGAL::parameters::Default_named_parameters>
+auto tetrahedralization_options(const Options& options, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Tetrahedralization_options_tag>(options, base);
+}
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The positions to begin with: a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values, in
@@ -65,7 +204,7 @@ using namespace CGAL::parameters;
 template <typename StartMap, typename Base = CGAL::parameters::Default_named_parameters>
 auto start_map(const StartMap& map, const Base& base = Base())
 {
-  return CGAL::Named_function_parameters<StartMap, internal::Start_map_tag, Base>(map, base);
+  return internal::named_parameter<internal::Start_map_tag>(map, base);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -74,7 +213,7 @@ auto start_map(const StartMap& map, const Base& base = Base())
 template <typename FaceWeightMap, typename Base = CGAL::parameters::Default_named_parameters>
 auto face_weight_map(const FaceWeightMap& map, const Base& base = Base())
 {
-  return CGAL::Named_function_parameters<FaceWeightMap, internal::Face_weight_map_tag, Base>(map, base);
+  return internal::named_parameter<internal::Face_weight_map_tag>(map, base);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -83,7 +222,7 @@ auto face_weight_map(const FaceWeightMap& map, const Base& base = Base())
 template <typename SoftPositions, typename Base = CGAL::parameters::Default_named_parameters>
 auto soft_positions(const SoftPositions& positions, const Base& base = Base())
 {
-  return CGAL::Named_function_parameters<SoftPositions, internal::Soft_positions_tag, Base>(positions, base);
+  return internal::named_parameter<internal::Soft_positions_tag>(positions, base);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -91,7 +230,7 @@ auto soft_positions(const SoftPositions& positions, const Base& base = Base())
 template <typename Base = CGAL::parameters::Default_named_parameters>
 auto border_is_fixed(bool is_fixed, const Base& base = Base())
 {
-  return CGAL::Named_function_parameters<bool, internal::Border_is_fixed_tag, Base>(is_fixed, base);
+  return internal::named_parameter<internal::Border_is_fixed_tag>(is_fixed, base);
 }
 
 /// \ingroup PkgFlipFreeMapsSeams
@@ -100,7 +239,7 @@ auto border_is_fixed(bool is_fixed, const Base& base = Base())
 template <typename EdgeIsFeatureMap, typename Base = CGAL::parameters::Default_named_parameters>
 auto edge_is_feature_map(const EdgeIsFeatureMap& map, const Base& base = Base())
 {
-  return CGAL::Named_function_parameters<EdgeIsFeatureMap, internal::Edge_is_feature_map_tag, Base>(map, base);
+  return internal::named_parameter<internal::Edge_is_feature_map_tag>(map, base);
 }
 
 } // namespace parameters

@@ -11,6 +11,9 @@
 #include <CGAL/Flip_free_maps/atlas/Packing_options.h>
 #include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
 #include <CGAL/Flip_free_maps/is_bijective.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -123,6 +126,14 @@ Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, cons
     return summary;
   internal::write_charts(charts, uv_map, [&](std::int32_t face, int k) { return corners[face][k]; });
   return summary;
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with named parameters: `packing_options` of `Flip_free_maps::parameters`.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
+Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return pack_charts(mesh, uv_map, internal::parameter_or(np, internal::packing_options_tag, Packing_options()));
 }
 
 } // namespace Flip_free_maps

@@ -8,15 +8,21 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PARAMETERIZE_H
 #define CGAL_FLIP_FREE_MAPS_PARAMETERIZE_H
 
-#include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
-#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/core/flatten_disk.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/core/flatten_disk_impl.h>
+#endif
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 
-#include <algorithm>
+#include <boost/graph/graph_traits.hpp>
+
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -98,8 +104,8 @@ namespace Flip_free_maps {
 /// some hundred bytes per face.
 template <typename TriangleMesh, typename VertexUVMap, typename Traits,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                     VertexUVMap uv_map, const Traits& traits, const NamedParameters& np)
+Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
+                     const Traits& traits, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -118,20 +124,21 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
     static_cast<void>(p);
     return internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value;
   };
-  const auto start = [&](const Simplicial_domain<2>& domain, const auto& vertices, Positions<2>& x, std::string& name,
-                         std::string& message) {
-    if(!internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value)
-      return internal::make_start(domain, used, x, name, message);
-    name = "given";
-    x.resize(2, domain.number_of_vertices);
-    for(std::int32_t v = 0; v < domain.number_of_vertices; ++v) {
-      internal::Vector<2> p = internal::Vector<2>::Zero();
-      given(vertices[v], p);
-      x.col(v) = p / domain.scale;
-    }
-    return Status::success;
-  };
-  const auto constrain = [&](auto& graph, Position_constraints<2>& constraints, std::string& message) {
+  const auto prepare = [&](auto& graph, internal::Planar_request& request, std::string& message) {
+    Position_constraints<2>& constraints = request.constraints;
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value)
+      request.make_start = [&graph, &given](Positions<2>& x, std::string& name, std::string&) {
+        name = "given";
+        x.resize(2, graph.domain().number_of_vertices);
+        for(std::int32_t v = 0; v < graph.domain().number_of_vertices; ++v) {
+          internal::Vector<2> p;
+          given(graph.vertices()[v], p);
+          x.col(v) = p / graph.domain().scale;
+        }
+        return Status::success;
+      };
+    request.keeps_start = static_cast<bool>(request.make_start);
+    request.is_bijective = choose_parameter(get_parameter(np, internal::bijective_tag), false);
     if constexpr(internal::Has_parameter<NamedParameters, CGAL::internal_np::vertex_is_constrained_t>::value) {
       const auto is_fixed = get_parameter(np, CGAL::internal_np::vertex_is_constrained);
       for(std::int32_t v = 0; v < graph.domain().number_of_vertices; ++v)
@@ -163,40 +170,63 @@ Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<Tria
     static_cast<void>(message);
     return Status::success;
   };
-  if constexpr(internal::Has_parameter<NamedParameters, internal::Bijective_tag>::value) {
-    auto minimization = get_parameter(np, internal::bijective_tag);
-    minimization.keeps_start = internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value;
-    return internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given, minimization);
-  } else {
-    return internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, used, start, constrain, given);
-  }
+  internal::Planar_solver<Traits, internal::Has_parameter<NamedParameters, internal::Bijective_tag>::value> solver{used};
+  return internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, used.options, prepare, given, solver);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with default named parameters.
 template <typename TriangleMesh, typename VertexUVMap, typename Traits>
-Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                     VertexUVMap uv_map, const Traits& traits)
+Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
+                     const Traits& traits)
 {
   return parameterize(mesh, border_halfedge, uv_map, traits, CGAL::parameters::default_values());
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same with the default method.
+/// The same with the method as a named parameter: `Flip_free_maps::parameters::map_traits` and `map_options`.
 template <typename TriangleMesh, typename VertexUVMap, typename T, typename Tag, typename Base>
-Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                     VertexUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
+                     const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
-  return parameterize(mesh, border_halfedge, uv_map, Flip_free_map_traits<>(), np);
+  return parameterize(mesh, border_halfedge, uv_map, internal::chosen_traits<internal::Default_method>(np), np);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with the default method and default named parameters.
 template <typename TriangleMesh, typename VertexUVMap>
-Summary parameterize(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                     VertexUVMap uv_map)
+Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map)
 {
-  return parameterize(mesh, border_halfedge, uv_map, Flip_free_map_traits<>(), CGAL::parameters::default_values());
+  return parameterize(mesh, border_halfedge, uv_map, internal::Default_method(), CGAL::parameters::default_values());
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays. The component of the longest border is flattened.
+///
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
+/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param uv a container of planar points, which becomes as long as `points` if the map is valid, and is left untouched otherwise;
+///   points that the component does not use get the value (0, 0)
+/// \param np optional named parameters, as above, with indices as keys of property maps
+/// \returns as above; also `invalid_option` for an index out of range
+template <typename PointRange, typename TriangleRange, typename UVRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Summary parameterize(const PointRange& points, const TriangleRange& triangles, UVRange& uv,
+                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Point = typename UVRange::value_type;
+  internal::Triangle_surface surface;
+  Summary summary;
+  summary.status = surface.load(points, triangles, summary.message);
+  if(summary.status != Status::success)
+    return summary;
+  std::vector<Point> values(surface.number_of_vertices(), internal::make_point_2<Point>(0, 0));
+  summary = parameterize(surface, {surface.longest_border()}, internal::Array_map<Point>{&values},
+                         internal::chosen_traits<internal::Default_method>(np), np);
+  if(summary.is_valid())
+    uv = UVRange(values.begin(), values.end());
+  return summary;
 }
 
 } // namespace Flip_free_maps

@@ -13,12 +13,18 @@
 #include <CGAL/Flip_free_maps/initializers/internal/adapt_to_developable.h>
 #include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/internal/account_run.h>
+#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/seams/find_seams.h>
 #include <CGAL/Flip_free_maps/seams/meet_seam_constraints.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -41,41 +47,57 @@ namespace Flip_free_maps {
 ///   if the map is valid and the seams meet their tolerance; untouched otherwise
 /// \param options what relates the sides of a seam, and how exactly
 /// \param traits the method and its settings
+/// \param np optional named parameters: `vertex_point_map`, as in `parameterize()`
 /// \returns the account of the run, with the residual and the transformations, in the order of `find_seams()`. The statuses are
 ///   those of `parameterize()`, and `unreachable_constraints`.
 ///
 /// Complexity: some ten runs of the minimiser from one solution to the next.
-template <typename SeamMesh, typename VertexUVMap, typename Traits = Flip_free_map_traits<>>
+template <typename SeamMesh, typename VertexUVMap, typename Traits = Flip_free_map_traits<>,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Seam_summary parameterize_with_seams(const SeamMesh& mesh, typename boost::graph_traits<SeamMesh>::halfedge_descriptor border_halfedge,
-                                     VertexUVMap uv_map, const Seam_options& options = Seam_options(), const Traits& traits = Traits())
+                                     VertexUVMap uv_map, const Seam_options& options = Seam_options(), const Traits& traits = Traits(),
+                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vertex_points =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
   Seam_summary summary;
-  double seconds = 0, cpu_seconds = 0;
-  const auto run = [&] {
-    const internal::Phase_timer total(seconds, &cpu_seconds);
-    Face_graph_domain<SeamMesh> graph;
-    summary.status = graph.load(mesh, border_halfedge, get(CGAL::vertex_point, mesh), summary.message);
-    if(summary.status != Status::success)
-      return;
+  Face_graph_domain<SeamMesh> graph;
+  Positions<2> x;
+  const auto solve = [&] {
     const Simplicial_domain<2>& domain = graph.domain();
     Traits used = traits;
     internal::adapt_to_developable(domain, used);
-    Positions<2> x;
-    summary.status = internal::make_start(domain, used, x, summary.start, summary.message);
-    if(summary.status != Status::success)
-      return;
-    const std::string start = summary.start;
-    summary = meet_seam_constraints(domain, x, find_seams(mesh, graph, options.cone_curvature), options, used);
-    summary.start = start;
-    if(!summary.is_valid())
-      return;
-    x *= domain.scale;
-    internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
+    double seconds = 0;
+    {
+      const internal::Phase_timer timer(seconds);
+      summary.status = internal::make_start(domain, used, x, summary.start, summary.message);
+    }
+    if(summary.status == Status::success) {
+      const std::string start = summary.start;
+      summary = meet_seam_constraints(domain, x, find_seams(mesh, graph, options.cone_curvature), options, used);
+      summary.start = start;
+    }
+    summary.seconds.start += seconds;
   };
-  internal::catch_out_of_memory(run, summary);
-  summary.seconds.total = seconds;
-  summary.cpu_seconds = cpu_seconds;
+  internal::run_map(
+    summary, [&](std::string& message) { return graph.load(mesh, border_halfedge, vertex_points, message); }, solve,
+    [&] {
+      x *= graph.domain().scale;
+      internal::write_positions<typename Traits::Kernel>(graph.domain(), graph.vertices(), x, uv_map, summary);
+    });
   return summary;
+}
+
+/// \ingroup PkgFlipFreeMapsSeams
+/// The same with named parameters: `map_traits`, `map_options` and `seam_options` of `Flip_free_maps::parameters`.
+template <typename SeamMesh, typename VertexUVMap, typename T, typename Tag, typename Base>
+Seam_summary parameterize_with_seams(const SeamMesh& mesh, typename boost::graph_traits<SeamMesh>::halfedge_descriptor border_halfedge,
+                                     VertexUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return parameterize_with_seams(mesh, border_halfedge, uv_map, internal::parameter_or(np, internal::seam_options_tag, Seam_options()),
+                                 internal::chosen_traits<Flip_free_map_traits<>>(np), np);
 }
 
 } // namespace Flip_free_maps

@@ -11,11 +11,13 @@
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
-#include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/minimizer/polish_map.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/repair/Foldover_free.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
@@ -29,24 +31,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
 
 namespace internal {
-
-// The halfedges of a mesh; a domain has none, so that the functions for meshes are out of the question for it.
-template <typename TriangleMesh>
-struct Halfedge_of
-{
-  using type = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-};
-
-template <int D>
-struct Halfedge_of<Simplicial_domain<D>>
-{};
 
 // The symmetric gradient energy with another method's kernel, linear solver and concurrency.
 template <typename Traits>
@@ -119,7 +111,6 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
 {
   Summary summary;
   const auto run = [&] {
-    const internal::Phase_timer timer(summary.seconds.total, &summary.cpu_seconds);
     if(!options.is_valid(&summary.message) || !traits.options.is_valid(&summary.message) ||
        !constraints.is_valid(domain.number_of_vertices, &summary.message)) {
       summary.status = Status::invalid_option;
@@ -163,25 +154,52 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     if(!summary.is_valid())
       return;
 
-    if(options.polish && !is_stopped) {
-      const Summary before = summary;
-      Positions<D> polished = result;
-      Map_minimizer<D, Traits> minimizer(domain, traits, used);
-      minimizer.minimize(polished, summary);
-      if(summary.is_valid())
-        result = polished;
-      else {
-        const std::string message = before.message + "; not polished: " + summary.message;
-        summary = before;
-        summary.message = message;
-      }
-    }
+    if(options.polish && !is_stopped)
+      polish_map<typename Traits::template Minimizer<D, Traits>>(domain, traits, used, result, summary);
     x = result;
   };
-  internal::catch_out_of_memory(run, summary);
-  summary.peak_memory_mb = internal::peak_memory_mb();
+  internal::account_run(summary, run);
   return summary;
 }
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with named parameters: `map_traits`, `map_options` and `repair_options` of `Flip_free_maps::parameters`.
+template <int D, typename T, typename Tag, typename Base>
+Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x, const Position_constraints<D>& constraints,
+                   const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return repair_map(domain, x, constraints, internal::parameter_or(np, internal::repair_options_tag, Repair_options()),
+                    internal::chosen_traits<Flip_free_map_traits<>>(np));
+}
+
+namespace internal {
+
+// Repairs the uv map of a surface patch, which `load(graph, message)` reads.
+template <typename TriangleMesh, typename Load, typename VertexUVMap, typename Traits>
+Summary repair_patch(Load&& load, VertexUVMap uv_map, const Repair_options& options, const Traits& traits)
+{
+  Summary summary;
+  Face_graph_domain<TriangleMesh> graph;
+  Positions<2> x;
+  const auto solve = [&] {
+    const Simplicial_domain<2>& domain = graph.domain();
+    x.resize(2, domain.number_of_vertices);
+    for(std::size_t v = 0; v < graph.vertices().size(); ++v) {
+      const auto& p = get(uv_map, graph.vertices()[v]);
+      x.col(v) << CGAL::to_double(p[0]) / domain.scale, CGAL::to_double(p[1]) / domain.scale;
+    }
+    summary = repair_map(domain, x, Position_constraints<2>(), options, traits);
+  };
+  run_map(
+    summary, [&](std::string& message) { return load(graph, message); }, solve,
+    [&] {
+      x *= graph.domain().scale;
+      write_positions<typename Traits::Kernel>(graph.domain(), graph.vertices(), x, uv_map, summary);
+    });
+  return summary;
+}
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same for the uv map of a surface patch.
@@ -198,42 +216,62 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
 /// \param traits the polish
 /// \param np optional named parameters, of which `vertex_point_map` is heeded
 template <typename TriangleMesh, typename VertexUVMap, typename Traits = Flip_free_map_traits<>,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Summary repair_map(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
                    const Repair_options& options = Repair_options(), const Traits& traits = Traits(),
-                   const NamedParameters& np = parameters::default_values())
+                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   const auto vertex_points =
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
-  Summary summary;
-  try {
-    Face_graph_domain<TriangleMesh> graph;
-    double load = 0;
-    {
-      const internal::Phase_timer timer(load);
-      summary.status = graph.load(mesh, border_halfedge, vertex_points, summary.message);
+  return internal::repair_patch<TriangleMesh>(
+    [&](auto& graph, std::string& message) { return graph.load(mesh, border_halfedge, vertex_points, message); }, uv_map, options, traits);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with the method and what is done as named parameters: `map_traits`, `map_options` and `repair_options` of
+/// `Flip_free_maps::parameters`.
+template <typename TriangleMesh, typename VertexUVMap, typename T, typename Tag, typename Base>
+Summary repair_map(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map,
+                   const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return repair_map(mesh, border_halfedge, uv_map, internal::parameter_or(np, internal::repair_options_tag, Repair_options()),
+                    internal::chosen_traits<Flip_free_map_traits<>>(np), np);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays. The component of the longest border is repaired.
+///
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
+/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param uv the image of each point, a container of planar points as long as `points`; changed if the map is valid
+/// \param np optional named parameters, as above
+/// \returns as above; also `invalid_option` for an index out of range or a map of another length
+template <typename PointRange, typename TriangleRange, typename UVRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Summary repair_map(const PointRange& points, const TriangleRange& triangles, UVRange& uv,
+                   const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Point = typename UVRange::value_type;
+  internal::Triangle_surface surface;
+  std::vector<Point> values(uv.begin(), uv.end());
+  const auto load = [&](auto& graph, std::string& message) {
+    if(uv.size() != points.size()) {
+      message = "the map must have an image for each point";
+      return Status::invalid_option;
     }
-    if(summary.status != Status::success)
-      return summary;
-    const Simplicial_domain<2>& domain = graph.domain();
-    Positions<2> x(2, domain.number_of_vertices);
-    for(std::size_t v = 0; v < graph.vertices().size(); ++v) {
-      const auto& p = get(uv_map, graph.vertices()[v]);
-      x.col(v) << CGAL::to_double(p[0]) / domain.scale, CGAL::to_double(p[1]) / domain.scale;
-    }
-    summary = repair_map(domain, x, Position_constraints<2>(), options, traits);
-    summary.seconds.load = load;
-    summary.seconds.total += load;
-    if(!summary.is_valid())
-      return summary;
-    x *= domain.scale;
-    internal::write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
-  } catch(const std::bad_alloc&) {
-    summary.status = Status::out_of_memory;
-    summary.message = "memory was exhausted";
-  }
+    const Status status = surface.load(points, triangles, message);
+    if(status != Status::success)
+      return status;
+    return graph.load(surface, {surface.longest_border()}, get(CGAL::vertex_point, surface), message);
+  };
+  const Summary summary = internal::repair_patch<internal::Triangle_surface>(
+    load, internal::Array_map<Point>{&values}, internal::parameter_or(np, internal::repair_options_tag, Repair_options()),
+    internal::chosen_traits<Flip_free_map_traits<>>(np));
+  if(summary.is_valid())
+    uv = UVRange(values.begin(), values.end());
   return summary;
 }
 

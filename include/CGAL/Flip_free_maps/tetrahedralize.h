@@ -8,8 +8,10 @@
 #ifndef CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_H
 #define CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_H
 
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/internal/error_message.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/report/Outcome.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 #include <CGAL/Flip_free_maps/tetrahedralization/internal/Closed_surface.h>
 
@@ -121,9 +123,9 @@ inline void mesh_closed_surface(const Closed_surface& surface, const Tetrahedral
 /// \returns `success`, `invalid_option`, `empty_mesh` (also when the tetrahedra are too large for the volume), `not_triangular`,
 ///   `non_manifold` (not closed, several sheets at a vertex, or self-intersecting), `degenerate_rest_element`, `non_finite_input`
 ///   or `out_of_memory`
-template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
+template <typename FaceGraph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Status tetrahedralize(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetrahedralization_options& options, std::string& message,
-                      const NamedParameters& np = parameters::default_values())
+                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::Closed_surface closed;
   const Status status = internal::load_closed_surface(surface, options, np, closed, message);
@@ -143,6 +145,18 @@ Status tetrahedralize(const FaceGraph& surface, Tetrahedral_mesh& volume, const 
   result.triangles = boundary_triangles(result);
   volume = std::move(result);
   return Status::success;
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with the sizes as a named parameter, `tetrahedralization_options` of `Flip_free_maps::parameters`.
+template <typename FaceGraph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Outcome tetrahedralize(const FaceGraph& surface, Tetrahedral_mesh& volume, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  Outcome outcome(Status::success, "");
+  outcome.status =
+    tetrahedralize(surface, volume, internal::parameter_or(np, internal::tetrahedralization_options_tag, Tetrahedralization_options()),
+                   outcome.message, np);
+  return outcome;
 }
 
 } // namespace Flip_free_maps

@@ -10,9 +10,11 @@
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
 
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/domains/internal/tetgen.h>
 #include <CGAL/Flip_free_maps/internal/error_message.h>
+#include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/report/Outcome.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 #include <CGAL/Flip_free_maps/tetrahedralization/internal/Closed_surface.h>
 #include <CGAL/Flip_free_maps/tetrahedralization/internal/run_in_subprocess.h>
@@ -193,9 +195,9 @@ inline Status tetgen_failure(int code, std::string& message)
 /// \returns `success`, `invalid_option`, `empty_mesh`, `not_triangular`, `several_components`, `non_manifold` (not closed,
 ///   several sheets at a vertex, or self-intersecting), `degenerate_rest_element` (also for what is too small or too close for
 ///   TetGen), `non_finite_input` or `out_of_memory`
-template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
+template <typename FaceGraph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetgen_options& options, std::string& message,
-                                  const NamedParameters& np = parameters::default_values())
+                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::Closed_surface closed;
   const Status status = internal::load_closed_surface(surface, options, np, closed, message);
@@ -223,6 +225,18 @@ Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& vo
   result.triangles = boundary_triangles(result);
   volume = std::move(result);
   return Status::success;
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with the sizes as a named parameter, `tetrahedralization_options` of `Flip_free_maps::parameters`.
+template <typename FaceGraph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Outcome tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& volume,
+                                   const NamedParameters& np = CGAL::parameters::default_values())
+{
+  Outcome outcome(Status::success, "");
+  outcome.status = tetrahedralize_with_tetgen(
+    surface, volume, internal::parameter_or(np, internal::tetrahedralization_options_tag, Tetgen_options()), outcome.message, np);
+  return outcome;
 }
 
 } // namespace Flip_free_maps

@@ -8,14 +8,18 @@
 #ifndef CGAL_FLIP_FREE_MAPS_UNWRAP_H
 #define CGAL_FLIP_FREE_MAPS_UNWRAP_H
 
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
-#include <CGAL/Flip_free_maps/atlas/Unwrap_options.h>
-#include <CGAL/Flip_free_maps/atlas/Unwrap_summary.h>
-#include <CGAL/Flip_free_maps/atlas/internal/Chart_atlas.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/core/unwrap_triangles.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
+#include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
-#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/core/unwrap_triangles_impl.h>
+#endif
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -27,8 +31,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <tuple>
+#include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +49,41 @@ enum Edge_is_seam_map_tag
 {
   edge_is_seam_map_tag
 };
+
+// Numbers the vertices and corners of a triangle mesh. False, and the summary says why, if a face is no triangle.
+template <typename TriangleMesh, typename VertexPointMap, typename Face, typename Halfedge>
+bool load_triangles(const TriangleMesh& mesh, const VertexPointMap& vertex_points, std::vector<Face>& all_faces,
+                    std::vector<std::array<Halfedge, 3>>& corners, Atlas_request& request, Unwrap_summary& summary)
+{
+  std::vector<Vector<3>> points;
+  std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, std::int32_t> numbers;
+  for(const Face face : faces(mesh)) {
+    std::array<Halfedge, 3> corner;
+    std::array<std::int32_t, 3> triangle;
+    Halfedge h = halfedge(face, mesh);
+    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+      const auto entry = numbers.emplace(target(h, mesh), static_cast<std::int32_t>(points.size()));
+      if(entry.second) {
+        const auto& p = get(vertex_points, target(h, mesh));
+        points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
+      }
+      corner[k] = h;
+      triangle[k] = entry.first->second;
+    }
+    if(h != corner[0] || next(corner[0], mesh) == corner[0]) {
+      summary.status = Status::not_triangular;
+      summary.message = "the mesh must consist of triangles; not so face number " + std::to_string(all_faces.size());
+      return false;
+    }
+    all_faces.push_back(face);
+    corners.push_back(corner);
+    request.triangles.push_back(triangle);
+  }
+  request.points.resize(3, points.size());
+  for(std::size_t v = 0; v < points.size(); ++v)
+    request.points.col(v) = points[v];
+  return true;
+}
 
 } // namespace internal
 
@@ -134,72 +174,51 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
   using CGAL::parameters::get_parameter;
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  const auto vertex_points =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
   Unwrap_summary summary;
   const auto run = [&] {
-    const auto vertex_points =
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
     std::vector<Face> all_faces;
     std::vector<std::array<Halfedge, 3>> corners;
-    std::vector<std::array<std::int32_t, 3>> triangles;
-    std::vector<internal::Vector<3>> points;
-    std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, std::int32_t> numbers;
-    for(const Face face : faces(mesh)) {
-      std::array<Halfedge, 3> corner;
-      std::array<std::int32_t, 3> triangle;
-      Halfedge h = halfedge(face, mesh);
-      for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
-        const auto entry = numbers.emplace(target(h, mesh), static_cast<std::int32_t>(points.size()));
-        if(entry.second) {
-          const auto& p = get(vertex_points, target(h, mesh));
-          points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
-        }
-        corner[k] = h;
-        triangle[k] = entry.first->second;
-      }
-      if(h != corner[0] || next(corner[0], mesh) == corner[0]) {
-        summary.status = Status::not_triangular;
-        summary.message = "the mesh must consist of triangles; not so face number " + std::to_string(all_faces.size());
-        return;
-      }
-      all_faces.push_back(face);
-      corners.push_back(corner);
-      triangles.push_back(triangle);
-    }
-    Positions<3> positions(3, points.size());
-    for(std::size_t v = 0; v < points.size(); ++v)
-      positions.col(v) = points[v];
-
-    internal::Chart_atlas<Traits> atlas(traits, options, summary);
-    if(!atlas.load(positions, triangles))
+    internal::Atlas_request request;
+    if(!internal::load_triangles(mesh, vertex_points, all_faces, corners, request, summary))
       return;
-    const auto mark = [&](const auto& map, auto&& mark_edge) {
+    const auto marked = [&](const auto& map) {
+      std::vector<std::pair<std::int32_t, int>> edges;
       for(std::size_t f = 0; f < corners.size(); ++f)
         for(int k = 0; k < 3; ++k)
           if(get(map, edge(corners[f][k], mesh)))
-            mark_edge(static_cast<std::int32_t>(f), k);
+            edges.emplace_back(static_cast<std::int32_t>(f), k);
+      return edges;
     };
     if constexpr(internal::Has_parameter<NamedParameters, CGAL::internal_np::edge_is_constrained_t>::value)
-      mark(get_parameter(np, CGAL::internal_np::edge_is_constrained), [&atlas](std::int32_t f, int k) { atlas.mark_seam(f, k); });
+      request.seams = marked(get_parameter(np, CGAL::internal_np::edge_is_constrained));
     if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_feature_map_tag>::value)
-      mark(get_parameter(np, internal::edge_is_feature_map_tag), [&atlas](std::int32_t f, int k) { atlas.mark_feature(f, k); });
-    static_cast<void>(mark);
+      request.features = marked(get_parameter(np, internal::edge_is_feature_map_tag));
+    static_cast<void>(marked);
+    request.is_single_precision = std::is_same_v<internal::Coordinate<Point>, float>;
 
-    if(!atlas.template run<typename boost::property_traits<HalfedgeUVMap>::value_type>())
+    internal::Atlas_result result;
+    Traits method = traits;
+    unwrap_triangles(request, options, method, result, summary);
+    if(!summary.is_valid())
       return;
-    internal::write_charts(atlas.charts(), uv_map, [&corners](std::int32_t f, int k) { return corners[f][k]; });
+    for(std::size_t f = 0; f < corners.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        put(uv_map, corners[f][k], internal::make_point_2<Point>(result.images[f][k][0], result.images[f][k][1]));
     if constexpr(internal::Has_parameter<NamedParameters, internal::Face_chart_map_tag>::value) {
       const auto chart_map = get_parameter(np, internal::face_chart_map_tag);
-      for(std::size_t c = 0; c < atlas.charts().size(); ++c)
-        for(const std::int32_t f : atlas.charts()[c].faces)
-          put(chart_map, all_faces[f], static_cast<typename boost::property_traits<std::decay_t<decltype(chart_map)>>::value_type>(c));
+      using Number = typename boost::property_traits<std::decay_t<decltype(chart_map)>>::value_type;
+      for(std::size_t f = 0; f < all_faces.size(); ++f)
+        put(chart_map, all_faces[f], static_cast<Number>(result.charts[f]));
     }
     if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_seam_map_tag>::value) {
       const auto seam_map = get_parameter(np, internal::edge_is_seam_map_tag);
       for(std::size_t f = 0; f < corners.size(); ++f)
         for(int k = 0; k < 3; ++k)
-          put(seam_map, edge(corners[f][k], mesh), atlas.is_seam(static_cast<std::int32_t>(f), k));
+          put(seam_map, edge(corners[f][k], mesh), result.seams[f][k]);
     }
-    atlas.finish();
   };
   internal::catch_out_of_memory(run, summary);
   return summary;
@@ -211,7 +230,59 @@ template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Ta
 Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options,
                       const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
-  return unwrap(mesh, uv_map, options, Flip_free_map_traits<>(), np);
+  return unwrap(mesh, uv_map, options, internal::chosen_traits<internal::Default_method>(np), np);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with everything else as named parameters: `map_traits`, `map_options` and `unwrap_options` of
+/// `Flip_free_maps::parameters` beside those above.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
+Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return unwrap(mesh, uv_map, internal::parameter_or(np, internal::unwrap_options_tag, Unwrap_options()),
+                internal::chosen_traits<internal::Default_method>(np), np);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for arrays.
+///
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
+/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param uv_of_corners receives the images of the corners of each triangle, in the order of its indices: a container of
+///   `std::array<Point_2, 3>`; it is left untouched if the atlas is not valid
+/// \param np optional named parameters: `map_traits`, `map_options` and `unwrap_options`
+/// \returns as above; also `invalid_option` for an index out of range
+template <typename PointRange, typename TriangleRange, typename CornerRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
+Unwrap_summary unwrap(const PointRange& points, const TriangleRange& triangles, CornerRange& uv_of_corners,
+                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Corners = typename CornerRange::value_type;
+  using Point = std::decay_t<decltype(std::declval<Corners>()[0])>;
+  Unwrap_summary summary;
+  const auto run = [&] {
+    internal::Triangle_surface surface;
+    summary.status = surface.load(points, triangles, summary.message);
+    if(summary.status != Status::success)
+      return;
+    internal::Atlas_request request;
+    request.points = surface.points();
+    request.triangles = surface.triangles();
+    request.is_single_precision = std::is_same_v<internal::Coordinate<Point>, float>;
+    internal::Atlas_result result;
+    auto method = internal::chosen_traits<internal::Default_method>(np);
+    unwrap_triangles(request, internal::parameter_or(np, internal::unwrap_options_tag, Unwrap_options()), method, result, summary);
+    if(!summary.is_valid())
+      return;
+    std::vector<Corners> corners(result.images.size());
+    for(std::size_t f = 0; f < corners.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        corners[f][k] = internal::make_point_2<Point>(result.images[f][k][0], result.images[f][k][1]);
+    uv_of_corners = CornerRange(corners.begin(), corners.end());
+  };
+  internal::catch_out_of_memory(run, summary);
+  return summary;
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -227,7 +298,7 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
 template <typename TriangleMesh, typename HalfedgeUVMap>
 Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options = Unwrap_options())
 {
-  return unwrap(mesh, uv_map, options, Flip_free_map_traits<>(), CGAL::parameters::default_values());
+  return unwrap(mesh, uv_map, options, internal::Default_method(), CGAL::parameters::default_values());
 }
 
 /// \ingroup PkgFlipFreeMapsIO

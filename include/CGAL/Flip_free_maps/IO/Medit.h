@@ -8,9 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_IO_MEDIT_H
 #define CGAL_FLIP_FREE_MAPS_IO_MEDIT_H
 
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/IO/internal/Word_reader.h>
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
 #include <algorithm>
 #include <array>

@@ -8,9 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_IO_OBJ_H
 #define CGAL_FLIP_FREE_MAPS_IO_OBJ_H
 
-#include <CGAL/Flip_free_maps/IO/Layout_picture.h>
-#include <CGAL/Flip_free_maps/IO/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/IO/checkerboard.h>
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -97,26 +97,6 @@ private:
   long long m_line = 0;
   long long m_next_line = 1;
 };
-
-// Word of a file in a form that is safe to print in a message.
-inline std::string quoted_word(std::string_view word)
-{
-  std::string result = "'";
-  for(const char c : word.substr(0, 40))
-    result += (c >= ' ' && c <= '~') ? c : '?';
-  return result + (word.size() > 40 ? "...'" : "'");
-}
-
-template <typename Number>
-std::errc parse_number(std::string_view word, Number& value)
-{
-  if(word.size() > 1 && word[0] == '+' && word[1] != '-')
-    word.remove_prefix(1);
-  const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), value);
-  if(result.ec != std::errc())
-    return result.ec;
-  return result.ptr == word.data() + word.size() ? std::errc() : std::errc::invalid_argument;
-}
 
 class OBJ_reader
 {
@@ -310,31 +290,76 @@ inline Checkerboard_choice choose_checkerboard(double layout_extent)
 
 } // namespace internal
 
-/*!
-  \ingroup PkgFlipFreeMapsIO
+namespace internal {
 
-  writes a triangle mesh with texture coordinates as a Wavefront OBJ file together with a material that shows the map as a
-  checkerboard, so that Blender or MeshLab display it at once.
+inline std::string textured_OBJ_text(const Textured_mesh& mesh, const std::string& material_name, double texture_scale)
+{
+  std::string text;
+  text.reserve(mesh.points.size() * 62 + mesh.texture.size() * 42 + mesh.triangles.size() * 48 + 1024);
+  text += "mtllib " + material_name + '\n';
+  for(const std::array<double, 3>& point : mesh.points) {
+    text += 'v';
+    for(const double coordinate : point) {
+      text += ' ';
+      append_number(text, coordinate);
+    }
+    text += '\n';
+  }
+  for(const std::array<double, 2>& coordinates : mesh.texture) {
+    text += "vt";
+    for(const double coordinate : coordinates) {
+      text += ' ';
+      append_number(text, coordinate * texture_scale);
+    }
+    text += '\n';
+  }
+  text += "usemtl checkerboard\n";
+  for(std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    text += 'f';
+    for(int k = 0; k < 3; ++k) {
+      text += ' ';
+      append_number(text, mesh.triangles[i][k] + 1LL);
+      text += '/';
+      append_number(text, mesh.texture_triangles[i][k] + 1LL);
+    }
+    text += '\n';
+  }
+  return text;
+}
 
-  For `path` = `dir/name.obj` three files are written (existing ones are replaced): `dir/name.obj` with the lines `v`, `vt` and
-  `f v/vt`, the material `dir/name.mtl`, and its texture `dir/name_checker.png`. The texture tiles (no `-clamp`), hence any range
-  of texture coordinates is valid. The number of squares in the image is chosen such that about 40 squares lie across the larger
-  side of the layout if `40/256 <= texture_scale * side <= 20`; beyond that range the material carries in addition the scale
-  option `-s` of `map_Kd`, which Blender honours. For a viewer without it, choose `texture_scale` = 1 / side.
+inline std::string checkerboard_material_text(const Checkerboard_choice& choice, const std::string& image_name)
+{
+  std::string text = "newmtl checkerboard\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd ";
+  if(choice.pattern_scale != 1.) {
+    std::string scale;
+    append_number(scale, choice.pattern_scale, 6);
+    text += "-s " + scale + ' ' + scale + " 1 ";
+  }
+  return text + image_name + '\n';
+}
 
-  Numbers are written with as many digits (up to 17) as it takes to read back exactly the same doubles; the locale has no
-  influence. The cost is linear in the size of the mesh.
+} // namespace internal
 
-  \param path name of the OBJ file; its extension must not be `.mtl` and its file name must not contain control characters
-  \param mesh the mesh; it must have a triangle, finite coordinates and valid indices
-  \param message if not null, receives the reason of a failure, and the empty string on success. On success without Cairo it
-         says that there is no texture image.
-  \param texture_scale positive factor by which the texture coordinates are multiplied in the file. The default 1 keeps them as
-         given, that is in the units of the surface.
-
-  \returns `true` if all files were written. An invalid mesh is refused before any file is touched. Without the macro
-           `CGAL_FLIP_FREE_MAPS_USE_CAIRO` the texture image and its mention in the material are left out; this is not a failure.
-*/
+/// \ingroup PkgFlipFreeMapsIO
+/// Writes a triangle mesh with texture coordinates as a Wavefront OBJ file together with a material that shows the map as a
+/// checkerboard, so that Blender or MeshLab display it at once.
+///
+/// For `path` = `dir/name.obj` three files are written (existing ones are replaced): `dir/name.obj` with the lines `v`, `vt` and
+/// `f v/vt`, the material `dir/name.mtl`, and its texture `dir/name_checker.png`. The texture tiles (no `-clamp`), hence any range
+/// of texture coordinates is valid. The number of squares in the image is chosen such that about 40 squares lie across the larger
+/// side of the layout if `40/256 <= texture_scale * side <= 20`; beyond that range the material carries in addition the scale
+/// option `-s` of `map_Kd`, which Blender honours. For a viewer without it, choose `texture_scale` = 1 / side.
+///
+/// Numbers are written with as many digits (up to 17) as it takes to read back exactly the same doubles; the locale has no
+/// influence. The cost is linear in the size of the mesh.
+///
+/// \param path name of the OBJ file; its extension must not be `.mtl` and its file name must not contain control characters
+/// \param mesh the mesh; it must have a triangle, finite coordinates and valid indices
+/// \param message if not null, receives the reason of a failure, and the empty string on success
+/// \param texture_scale positive factor by which the texture coordinates are multiplied in the file. The default 1 keeps them as
+///        given, that is in the units of the surface.
+///
+/// \returns `true` if all files were written. An invalid mesh is refused before any file is touched.
 inline bool write_textured_OBJ(const std::string& path, const Textured_mesh& mesh, std::string* message = nullptr,
                                double texture_scale = 1.)
 {
@@ -344,88 +369,35 @@ inline bool write_textured_OBJ(const std::string& path, const Textured_mesh& mes
 
   const std::filesystem::path obj_path(path);
   const std::string name = obj_path.filename().string();
-  const std::string stem = obj_path.stem().string();
   if(name.empty() || obj_path.extension() == ".mtl" ||
      std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; }))
     return internal::fail(message, "cannot write " + path + ": not a valid name of an OBJ file");
-  const std::string material_name = stem + ".mtl";
-  const std::string image_name = stem + "_checker.png";
+  const std::string material_name = obj_path.stem().string() + ".mtl";
+  const std::string image_name = obj_path.stem().string() + "_checker.png";
+  const auto beside = [&](const std::string& file) { return (obj_path.parent_path() / file).string(); };
 
-  std::string text;
-  text.reserve(mesh.points.size() * 62 + mesh.texture.size() * 42 + mesh.triangles.size() * 48 + 1024);
-  text += "mtllib " + material_name + '\n';
-  for(const std::array<double, 3>& point : mesh.points) {
-    text += 'v';
-    for(const double coordinate : point) {
-      text += ' ';
-      internal::append_number(text, coordinate);
-    }
-    text += '\n';
-  }
-  for(const std::array<double, 2>& coordinates : mesh.texture) {
-    text += "vt";
-    for(const double coordinate : coordinates) {
-      text += ' ';
-      internal::append_number(text, coordinate * texture_scale);
-    }
-    text += '\n';
-  }
-  text += "usemtl checkerboard\n";
-  for(std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    text += 'f';
-    for(int k = 0; k < 3; ++k) {
-      text += ' ';
-      internal::append_number(text, mesh.triangles[i][k] + 1LL);
-      text += '/';
-      internal::append_number(text, mesh.texture_triangles[i][k] + 1LL);
-    }
-    text += '\n';
-  }
-  if(!internal::write_whole_file(path, text, message))
-    return false;
-
-  std::string material = "newmtl checkerboard\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\n";
-  std::string note;
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
   const internal::Checkerboard_choice choice = internal::choose_checkerboard(internal::texture_extent(mesh) * texture_scale);
   const int pixels_per_square = (std::max)(1, 1024 / choice.squares);
-  if(!write_checkerboard_PNG((obj_path.parent_path() / image_name).string(), choice.squares * pixels_per_square, choice.squares, message))
-    return false;
-  material += "map_Kd ";
-  if(choice.pattern_scale != 1.) {
-    std::string scale;
-    internal::append_number(scale, choice.pattern_scale, 6);
-    material += "-s " + scale + ' ' + scale + " 1 ";
-  }
-  material += image_name + '\n';
-#else
-  note = "built without Cairo: " + image_name + " is not written";
-#endif
-  if(!internal::write_whole_file((obj_path.parent_path() / material_name).string(), material, message))
-    return false;
-  if(message != nullptr)
-    *message = note;
-  return true;
+  return internal::write_whole_file(path, internal::textured_OBJ_text(mesh, material_name, texture_scale), message) &&
+         write_checkerboard_PNG(beside(image_name), choice.squares * pixels_per_square, choice.squares, message) &&
+         internal::write_whole_file(beside(material_name), internal::checkerboard_material_text(choice, image_name), message);
 }
 
-/*!
-  \ingroup PkgFlipFreeMapsIO
-
-  reads a triangle mesh with texture coordinates from a Wavefront OBJ file.
-
-  The lines `v`, `vt` and `f` are read, all others are ignored, and so are numbers after the third of `v` and the second of `vt`.
-  A corner of a face is `v/vt` or `v/vt/vn`, with indices from 1, or negative ones that count back from the last element that
-  precedes the face. Comments, line continuation by a backslash and the three conventions for line ends are understood.
-
-  \param path name of the file
-  \param mesh receives the mesh; unchanged on failure. Points and texture coordinates keep the order of the file, unused ones
-         included.
-  \param message if not null, receives the reason of a failure with the number of the line, and the empty string on success
-
-  \returns `false` if the file cannot be read, has no triangle, a face that is not a triangle, a corner without texture
-           coordinates, an index out of range, or a coordinate that is not a finite double precision number. Degenerate or
-           repeated triangles are not looked for. The cost is linear in the size of the file.
-*/
+/// \ingroup PkgFlipFreeMapsIO
+/// Reads a triangle mesh with texture coordinates from a Wavefront OBJ file.
+///
+/// The lines `v`, `vt` and `f` are read, all others are ignored, and so are numbers after the third of `v` and the second of `vt`.
+/// A corner of a face is `v/vt` or `v/vt/vn`, with indices from 1, or negative ones that count back from the last element that
+/// precedes the face. Comments, line continuation by a backslash and the three conventions for line ends are understood.
+///
+/// \param path name of the file
+/// \param mesh receives the mesh; unchanged on failure. Points and texture coordinates keep the order of the file, unused ones
+///        included.
+/// \param message if not null, receives the reason of a failure with the number of the line, and the empty string on success
+///
+/// \returns `false` if the file cannot be read, has no triangle, a face that is not a triangle, a corner without texture
+///          coordinates, an index out of range, or a coordinate that is not a finite double precision number. Degenerate or
+///          repeated triangles are not looked for. The cost is linear in the size of the file.
 inline bool read_textured_OBJ(const std::string& path, Textured_mesh& mesh, std::string* message = nullptr)
 {
   std::string text;

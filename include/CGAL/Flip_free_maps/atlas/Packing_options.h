@@ -9,7 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_PACKING_OPTIONS_H
 
 #include <CGAL/Flip_free_maps/internal/error_message.h>
-#include <CGAL/Flip_free_maps/report/Status.h>
+#include <CGAL/Flip_free_maps/report/Outcome.h>
 
 #include <string>
 
@@ -20,31 +20,48 @@ namespace Flip_free_maps {
 /// Settings of `pack_charts()`.
 struct Packing_options
 {
-  /// Least distance between the bounding boxes of two charts, in parts of the unit square's side, in (0, 1/2]. Charts keep half
-  /// of it from the sides of the square.
+  /// Least distance between two charts, in parts of the unit square's side, in (0, 1/2]. Charts keep half of it from the sides of
+  /// the square. Charts are laid into dents and holes of others.
   double margin = 1. / 256;
-  /// Whether charts are turned to where their bounding boxes are smallest. Otherwise they are turned by quarters only.
+  /// The side of the texture in pixels. If it is not 0, `padding` takes the place of `margin`.
+  int resolution = 0;
+  /// Least distance between two charts in pixels, see `resolution`.
+  double padding = 2;
+  /// Whether charts are turned to where they fit best. Otherwise they are turned by quarters only.
   bool rotate = true;
+
+  /// The least distance between two charts that holds, in parts of the unit square's side.
+  double distance() const { return resolution > 0 ? padding / resolution : margin; }
 
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
   {
+    if(resolution < 0)
+      return internal::fail(message, "the resolution must not be negative");
+    if(resolution > 0)
+      return (distance() > 0 && distance() <= 0.5) ||
+             internal::fail(message, "the padding must be positive and at most half the resolution");
     return (margin > 0 && margin <= 0.5) || internal::fail(message, "the margin must be positive and at most 1/2");
   }
 };
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The account of a packing.
-struct Packing_summary
+struct Packing_summary : Outcome
 {
-  Status status = Status::invalid_option; ///< `success`, or why nothing was written
-  std::string message = "not run";        ///< a sentence that says why
-  int charts = 0;                         ///< number of charts
-  double scale = -1;                      ///< the factor from the lengths of the charts to those in the unit square
-  double occupancy = -1;                  ///< the part of the unit square that is covered
+  int charts = 0;        ///< number of charts
+  double scale = -1;     ///< the factor from the lengths of the charts to those in the unit square
+  double occupancy = -1; ///< the part of the unit square that is covered
 
-  /// `true` when the charts were packed.
-  bool is_valid() const { return status == Status::success; }
+  /// Calls `visit(name, value)` for each field.
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    Outcome::for_each_field(visit);
+    visit("charts", charts);
+    visit("scale", scale);
+    visit("occupancy", occupancy);
+  }
 };
 
 } // namespace Flip_free_maps

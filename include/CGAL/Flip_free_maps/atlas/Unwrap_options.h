@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// What an observer of `unwrap()` is told at the beginning of each chart and in each iteration on it.
+/// What an observer of `unwrap()` is told while seams are planned, at the beginning of each chart, in each iteration on it, and
+/// while charts are packed.
 struct Unwrap_progress
 {
   int charts_done = 0;         ///< charts that are finished
@@ -43,14 +44,23 @@ struct Unwrap_options
   /// Whether charts are packed. Otherwise each stays where it was flattened, in the units of the surface;
   /// charts lie upon each other then.
   bool pack = true;
-  /// Charts whose mean symmetric Dirichlet energy exceeds this are split; above 1, where 1 is an isometry. If it is finite, it
-  /// lowers `Cut_options::target_energy` to itself, and disks are cut, too:
-  /// seams to the places that are distorted most come before splits.
-  double max_distortion = std::numeric_limits<double>::infinity();
-  /// After this many seconds of wall-clock time no chart is improved any more. The result is as valid as any other,
+  /// No chart has a mean symmetric Dirichlet energy above this; above 1, where 1 is an isometry. Charts whose map exceeds it are
+  /// cut again, by seams to the places that are distorted most, and split when that does not help. If it is finite, it lowers
+  /// `Cut_options::target_energy` to itself, disks are cut, too, and so are surfaces between their creases, see `crease_angle`.
+  /// With infinity, only the topology and `cut` ask for seams.
+  double max_distortion = 1.025;
+  /// Edges across which the surface turns by at least this angle, in radians, are creases. Flat and rolled regions between creases
+  /// become charts of their own, or parts of one that unfolds about straight edges, if the surface consists of nothing else and
+  /// `max_distortion` is finite. Positive; infinity for none.
+  double crease_angle = 0.5;
+  /// Charts that are more than twice as long as wide, and longer than this times the side of a square with the area of the
+  /// surface, are split if charts are packed and `max_distortion` is finite: a single long one would leave most of the square
+  /// empty. At least 1; infinity for any length.
+  double max_length = 1.2;
+  /// After this many seconds of wall-clock time no seam and no chart is improved any more. The result is as valid as any other,
   /// but more distorted.
   double max_seconds = std::numeric_limits<double>::infinity();
-  /// Called at the beginning of each chart and in each iteration. When it returns `false`,
+  /// Called while seams are planned, at the beginning of each chart, in each iteration, and while charts are packed. When it returns `false`,
   /// the rest is done as if the time were up.
   std::function<bool(const Unwrap_progress&)> observer;
 
@@ -61,6 +71,10 @@ struct Unwrap_options
       return false;
     if(!(max_distortion > 1))
       return internal::fail(message, "max_distortion must be above 1");
+    if(!(crease_angle > 0))
+      return internal::fail(message, "crease_angle must be positive");
+    if(!(max_length >= 1))
+      return internal::fail(message, "max_length must be at least 1");
     if(!(max_seconds >= 0))
       return internal::fail(message, "max_seconds must not be negative");
     return true;

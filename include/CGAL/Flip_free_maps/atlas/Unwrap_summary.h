@@ -9,13 +9,9 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_UNWRAP_SUMMARY_H
 
 #include <CGAL/Flip_free_maps/cutting/Cut_summary.h>
-#include <CGAL/Flip_free_maps/report/Status.h>
-#include <CGAL/Flip_free_maps/report/internal/report_header.h>
+#include <CGAL/Flip_free_maps/report/Outcome.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <ostream>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -23,107 +19,100 @@ namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The account of one chart of an atlas.
-struct Chart_summary
+struct Chart_summary : Outcome
 {
-  Status status = Status::success; ///< how its flattening ended
-  std::string message;             ///< a sentence that says why
-  std::int64_t faces = 0;          ///< number of faces
-  double area = 0;                 ///< area on the surface
-  double energy = -1;              ///< mean symmetric Dirichlet energy before all charts were scaled alike (an isometry has 1)
-  double max_energy = -1;          ///< largest symmetric Dirichlet energy of a face
-  int iterations = 0;              ///< steps of the minimizer
-  double seconds = 0;              ///< wall-clock seconds of its flattening
+  std::int64_t faces = 0; ///< number of faces
+  double area = 0;        ///< area on the surface
+  double energy = -1;     ///< mean symmetric Dirichlet energy before all charts were scaled alike (an isometry has 1)
+  double max_energy = -1; ///< largest symmetric Dirichlet energy of a face
+  int iterations = 0;     ///< steps of the minimizer
+  double seconds = 0;     ///< wall-clock seconds of its flattening
+
+  Chart_summary() : Outcome(Status::success, "") {}
+
+  /// Calls `visit(name, value)` for each field.
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    Outcome::for_each_field(visit);
+    visit("faces", faces);
+    visit("area", area);
+    visit("energy", energy);
+    visit("max_energy", max_energy);
+    visit("iterations", iterations);
+    visit("seconds", seconds);
+  }
 };
+
+namespace internal {
+
+// The seconds of an atlas as an object of their own.
+struct Unwrap_seconds
+{
+  double cut, flatten, pack, certify, total;
+
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    visit("cut", cut);
+    visit("flatten", flatten);
+    visit("pack", pack);
+    visit("certify", certify);
+    visit("total", total);
+  }
+};
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The account of `unwrap()`. Fields that it did not reach keep their initial values.
-struct Unwrap_summary
+struct Unwrap_summary : Outcome
 {
-  Status status = Status::invalid_option; ///< how it ended
-  std::string message = "not run";        ///< a sentence that says why
-  std::int64_t faces = -1;                ///< faces of the mesh
-  Cut_summary cut;                        ///< how the surface was cut open
-  std::vector<Chart_summary> charts;      ///< the charts, the largest first; their places are the numbers in `face_chart_map`
-  int splits_of_overlaps = 0;             ///< how often a chart was split because it overlapped itself
-  int splits_of_distortion = 0;           ///< how often a chart was split because of `Unwrap_options::max_distortion`
-  int splits_of_failures = 0;             ///< how often a chart was split because it could not be flattened
-  double energy = -1;                     ///< mean symmetric Dirichlet energy, weighted by areas on the surface
-  std::int64_t flips = -1;                ///< triangles that are not positively oriented, by exact predicates:
-                                          ///< 0 in every valid atlas
-  std::int64_t seam_edges = -1;           ///< edges within the surface whose two triangles give different images to them
-  double seam_length = -1;                ///< their length on the surface
-  double scale = -1;                      ///< length in the atlas over length on the surface: the scale of the packing,
-                                          ///< or 1 without
-  double occupancy = -1;                  ///< the part of the unit square that is covered; -1 without packing
-  double cut_seconds = 0;                 ///< wall-clock seconds of cutting
-  double flatten_seconds = 0;             ///< of flattening, tests for overlaps and splits
-  double pack_seconds = 0;                ///< of packing
-  double certify_seconds = 0;             ///< of the last test of the whole atlas
-  double seconds = 0;                     ///< of everything
+  std::int64_t faces = -1;           ///< faces of the mesh
+  Cut_summary cut;                   ///< how the surface was cut open
+  std::vector<Chart_summary> charts; ///< the charts, the largest first; their places are the numbers in `face_chart_map`
+  int splits_of_overlaps = 0;        ///< how often a chart was split because it overlapped itself
+  int splits_of_distortion = 0;      ///< how often a chart was split because of `Unwrap_options::max_distortion`
+  int splits_of_length = 0;          ///< how often a chart was split because of `Unwrap_options::max_length`
+  int splits_of_failures = 0;        ///< how often a chart was split because it could not be flattened
+  double energy = -1;                ///< mean symmetric Dirichlet energy, weighted by areas on the surface
+  std::int64_t flips = -1;           ///< triangles that are not positively oriented, by exact predicates:
+                                     ///< 0 in every valid atlas
+  std::int64_t seam_edges = -1;      ///< edges within the surface whose two triangles give different images to them
+  double seam_length = -1;           ///< their length on the surface
+  double scale = -1;                 ///< length in the atlas over length on the surface: the scale of the packing,
+                                     ///< or 1 without
+  double occupancy = -1;             ///< the part of the unit square that is covered; -1 without packing
+  double cut_seconds = 0;            ///< wall-clock seconds of cutting
+  double flatten_seconds = 0;        ///< of flattening, tests for overlaps and splits
+  double pack_seconds = 0;           ///< of packing
+  double certify_seconds = 0;        ///< of the last test of the whole atlas
+  double seconds = 0;                ///< of everything
 
-  /// `true` when the caller's property maps hold an atlas without flips and overlaps.
-  bool is_valid() const { return is_valid_map(status); }
+  /// Calls `visit(name, value)` for each field.
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    const auto if_any = [](int number) { return number > 0 ? Field_role::shown : Field_role::detail; };
+    const Field_role if_valid = is_valid() ? Field_role::shown : Field_role::detail;
+    Outcome::for_each_field(visit);
+    visit("faces", faces);
+    visit("number_of_charts", static_cast<std::int64_t>(charts.size()), if_valid);
+    visit("flips", flips);
+    visit("energy", energy);
+    visit("seam_edges", seam_edges);
+    visit("seam_length", seam_length);
+    visit("scale", scale);
+    visit("occupancy", occupancy);
+    visit("splits_of_overlaps", splits_of_overlaps, if_any(splits_of_overlaps));
+    visit("splits_of_distortion", splits_of_distortion, if_any(splits_of_distortion));
+    visit("splits_of_length", splits_of_length, if_any(splits_of_length));
+    visit("splits_of_failures", splits_of_failures, if_any(splits_of_failures));
+    visit("seconds", internal::Unwrap_seconds{cut_seconds, flatten_seconds, pack_seconds, certify_seconds, seconds}, if_valid);
+    visit("cut", cut, Field_role::detail);
+    visit("charts", charts, Field_role::detail);
+  }
 };
-
-/// \ingroup PkgFlipFreeMapsRef
-/// Fills a JSON value with all fields of a chart's summary. Written against the interface of nlohmann::json.
-template <typename Json>
-void to_json(Json& json, const Chart_summary& summary)
-{
-  internal::report_header(json, summary);
-  json["faces"] = summary.faces;
-  json["area"] = summary.area;
-  json["energy"] = summary.energy;
-  json["max_energy"] = summary.max_energy;
-  json["iterations"] = summary.iterations;
-  json["seconds"] = summary.seconds;
-}
-
-/// \ingroup PkgFlipFreeMapsRef
-/// Fills a JSON value with all fields of a summary. Written against the interface of nlohmann::json.
-template <typename Json>
-void to_json(Json& json, const Unwrap_summary& summary)
-{
-  internal::report_header(json, summary);
-  json["faces"] = summary.faces;
-  json["energy"] = summary.energy;
-  json["flips"] = summary.flips;
-  json["number_of_charts"] = summary.charts.size();
-  json["seam_edges"] = summary.seam_edges;
-  json["seam_length"] = summary.seam_length;
-  json["scale"] = summary.scale;
-  json["occupancy"] = summary.occupancy;
-  json["splits_of_overlaps"] = summary.splits_of_overlaps;
-  json["splits_of_distortion"] = summary.splits_of_distortion;
-  json["splits_of_failures"] = summary.splits_of_failures;
-  Json seconds = Json::object();
-  seconds["cut"] = summary.cut_seconds;
-  seconds["flatten"] = summary.flatten_seconds;
-  seconds["pack"] = summary.pack_seconds;
-  seconds["certify"] = summary.certify_seconds;
-  seconds["total"] = summary.seconds;
-  json["seconds"] = seconds;
-  json["cut"] = summary.cut;
-  json["charts"] = summary.charts;
-}
-
-/// \ingroup PkgFlipFreeMapsRef
-/// Writes a summary as a few lines of text.
-inline std::ostream& operator<<(std::ostream& os, const Unwrap_summary& summary)
-{
-  os << status_name(summary.status) << ": " << summary.message << '\n';
-  if(!summary.is_valid())
-    return os;
-  os << "  " << summary.faces << " faces in " << summary.charts.size() << " charts, " << summary.flips << " flipped\n"
-     << "  energy " << summary.energy << ", seams of " << summary.seam_edges << " edges and length " << summary.seam_length << '\n';
-  if(summary.occupancy >= 0)
-    os << "  scale " << summary.scale << ", " << 100 * summary.occupancy << " % of the square are covered\n";
-  if(summary.splits_of_overlaps + summary.splits_of_distortion + summary.splits_of_failures > 0)
-    os << "  charts were split " << summary.splits_of_overlaps << " times because of overlaps, " << summary.splits_of_distortion
-       << " times because of distortion, " << summary.splits_of_failures << " times because they could not be flattened\n";
-  return os << "  " << summary.seconds << " s, of which cutting " << summary.cut_seconds << ", flattening " << summary.flatten_seconds
-            << ", packing " << summary.pack_seconds << '\n';
-}
 
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,17 +28,33 @@ public:
   Term_matrix(Block_sparse_matrix& matrix, const std::vector<std::int32_t>& rows) : m_matrix(matrix), m_rows(rows) {}
 
   /// Adds `block(i, j)` to row i of vertex v and column j of vertex w, and, if v and w differ, its transpose to the mirrored
-  /// block. The two must be of one stencil of the term.
+  /// block. The two must be of one stencil of the term: for a pair that is in no stencil the matrix has no place, and nothing is
+  /// added.
   void add(std::int32_t v, std::int32_t w, const internal::Matrix<D>& block)
   {
+    if(!is_vertex(v) || !is_vertex(w)) {
+      m_has_refused = true;
+      return;
+    }
     const std::int32_t r = m_rows[v], c = m_rows[w];
-    if(r >= 0 && c >= 0)
-      m_matrix.add_block(r, c, r == c ? 0 : m_matrix.slot(r, c), block);
+    if(r < 0 || c < 0)
+      return;
+    const std::int32_t slot = r == c ? 0 : m_matrix.slot(r, c);
+    if(slot >= 0)
+      m_matrix.add_block(r, c, slot, block);
+    else
+      m_has_refused = true;
   }
 
+  /// Whether a block was left out since there is no place for it.
+  bool has_refused() const { return m_has_refused; }
+
 private:
+  bool is_vertex(std::int32_t v) const { return v >= 0 && static_cast<std::size_t>(v) < m_rows.size(); }
+
   Block_sparse_matrix& m_matrix;
   const std::vector<std::int32_t>& m_rows;
+  bool m_has_refused = false;
 };
 
 /// \ingroup PkgFlipFreeMapsConstraints
@@ -52,7 +69,8 @@ public:
   /// Whether the term does not change when the whole map is translated or rotated.
   virtual bool is_rigid_motion_invariant() const { return false; }
 
-  /// The groups of vertices whose blocks the term's matrix couples; single vertices need not be listed.
+  /// The groups of vertices whose blocks the term's matrix couples; single vertices need not be listed. A run whose matrix gets
+  /// blocks of other pairs ends with the status `invalid_option`.
   virtual std::vector<std::vector<std::int32_t>> stencils() const { return {}; }
 
   /// Its value.

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_DOMAINS_FACE_GRAPH_DOMAIN_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/elements/internal/rest_shape.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
@@ -34,35 +35,6 @@
 
 namespace CGAL {
 namespace Flip_free_maps {
-
-namespace internal {
-
-template <typename Point, typename = void>
-struct Has_y : std::false_type
-{};
-
-template <typename Point>
-struct Has_y<Point, std::void_t<decltype(std::declval<const Point&>().y())>> : std::true_type
-{};
-
-template <typename Point, typename = void>
-struct Has_z : std::false_type
-{};
-
-template <typename Point>
-struct Has_z<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::true_type
-{};
-
-// Whether a point, of CGAL or a user's own, has two coordinates only.
-template <typename Point>
-struct Is_planar_point : std::bool_constant<Has_y<Point>::value && !Has_z<Point>::value>
-{};
-
-template <typename T, std::size_t N>
-struct Is_planar_point<std::array<T, N>> : std::bool_constant<N == 2>
-{};
-
-} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsDomains
 /// The connected component of a triangle mesh that a border halfedge belongs to, as flat arrays, with the way back to the mesh'
@@ -325,19 +297,12 @@ private:
   bool has_pinched_vertex(const TriangleMesh& mesh) const
   {
     const auto null_face = boost::graph_traits<TriangleMesh>::null_face();
-    std::vector<std::int32_t> degree(m_vertices.size(), 0);
-    for(const auto& element : m_domain.elements)
-      for(std::int32_t v : element)
-        ++degree[v];
-    for(std::size_t v = 0; v < m_vertices.size(); ++v) {
+    return internal::has_pinched_vertex(m_domain.elements, m_vertices.size(), [&](std::int32_t v) {
       std::int32_t passed = 0;
       for(halfedge_descriptor h : CGAL::halfedges_around_target(halfedge(m_vertices[v], mesh), mesh))
-        if(face(h, mesh) != null_face)
-          ++passed;
-      if(passed != degree[v])
-        return true;
-    }
-    return false;
+        passed += face(h, mesh) != null_face ? 1 : 0;
+      return passed;
+    });
   }
 
   template <typename Point>
@@ -358,19 +323,11 @@ private:
       const auto& p = get(vertex_points, m_vertices[v]);
       points.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), third_coordinate(p);
     }
-    if(!points.allFinite()) {
-      message = "a coordinate of the mesh is NaN or infinite";
-      return Status::non_finite_input;
-    }
-
-    // The box brings coordinates of any magnitude into range before areas are formed. Halves, since the extent may overflow.
-    const Eigen::Vector3d low = points.rowwise().minCoeff() / 2, high = points.rowwise().maxCoeff() / 2;
-    const double extent = 2 * (high - low).maxCoeff();
-    if(!(extent > 0) || !std::isfinite(extent)) {
-      message = extent > 0 ? "the extent of the mesh exceeds the range of double precision" : "all vertices of the mesh coincide";
-      return extent > 0 ? Status::non_finite_input : Status::degenerate_rest_element;
-    }
-    points = ((points / 2).colwise() - low) / (extent / 2);
+    Eigen::Vector3d low;
+    double extent;
+    const Status status = internal::normalize_extent(points, low, extent, message);
+    if(status != Status::success)
+      return status;
 
     const std::size_t m = m_domain.elements.size();
     m_domain.measures.resize(m);

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/internal/Disjoint_sets.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -29,7 +30,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
@@ -72,22 +72,11 @@ inline bool spatial_rest_shape(const Matrix<3>& edges, Matrix<3>& rest_inverse, 
 template <std::size_t N>
 std::int32_t count_components(const std::vector<std::array<std::int32_t, N>>& elements, std::int32_t number_of_vertices)
 {
-  std::vector<std::int32_t> parent(number_of_vertices);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](std::int32_t v) {
-    while(parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  Disjoint_sets sets(number_of_vertices);
   std::int32_t components = number_of_vertices;
   for(const auto& element : elements)
-    for(std::size_t k = 1; k < N; ++k) {
-      const std::int32_t a = root(element[0]), b = root(element[k]);
-      if(a == b)
-        continue;
-      parent[(std::max)(a, b)] = (std::min)(a, b);
-      --components;
-    }
+    for(std::size_t k = 1; k < N; ++k)
+      components -= sets.unite(element[0], element[k]);
   return components;
 }
 

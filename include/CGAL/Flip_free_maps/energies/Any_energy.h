@@ -47,6 +47,13 @@ public:
   /// The name of the energy that is held.
   std::string energy_name() const { return m_energy->name(); }
 
+  /// Whether what is held is an `Energy` itself. An object of a class derived from it is not: it may be another function.
+  template <typename Energy>
+  bool holds() const
+  {
+    return dynamic_cast<const Model<Energy>*>(m_energy.get()) != nullptr;
+  }
+
   /// Whether the energy that is held has a barrier.
   bool holds_barrier() const { return m_energy->holds_barrier(); }
 

@@ -8,10 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_MULTILEVEL_INITIALIZER_H
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_MULTILEVEL_INITIALIZER_H
 
+#include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
-#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
-#include <CGAL/Flip_free_maps/elements/Signed_svd.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/initializers/internal/Polar_map.h>
@@ -74,82 +73,22 @@ public:
   /// Complexity: about n log n for the simplification, and the factorizations of all levels, whose sizes form a geometric series.
   Status operator()(const Simplicial_domain<2>& domain, Positions<2>& x, std::string& name, std::string& message)
   {
-    internal::Progressive_disk disk(domain);
     x.setZero(2, domain.number_of_vertices);
-    Placement placement(disk, m_traits.energy, x);
-    const auto make_solver = [this] { return m_traits.make_linear_solver(); };
-
-    // Where even the simplified surface has no flip-free embedding in double precision, simpler ones are tried.
-    std::string start_name;
-    bool is_thin = false;
-    internal::Polar_map polar_map(domain);
-    bool has_polar_map = false;
-    for(std::int64_t wanted = m_traits.start.coarsest_size;; wanted /= 4) {
-      disk.template coarsen<Tag>(wanted);
-      std::vector<std::int32_t> vertices;
-      const Simplicial_domain<2> coarse = disk.domain(vertices);
-      Positions<2> y;
-      Status status = Tutte(m_traits.start)(coarse, make_solver, y, start_name, message);
-      if(status == Status::invalid_option)
-        return status;
-      if(status == Status::success) {
-        status = optimize(coarse, vertices, y, x, message);
-        if(status != Status::success)
-          return status;
-        break;
-      }
-      if(wanted < 12)
-        return Status::start_not_flip_free;
-      if(!is_thin)
-        has_polar_map = polar_map.build(make_solver);
-      is_thin = true;
+    Run run(domain, m_traits.energy, x);
+    Status status = embed_coarsest(run, message);
+    if(status != Status::success)
+      return status;
+    name = "multilevel (" + std::to_string(run.disk.number_of_triangles()) + " faces by " + run.start_name;
+    const std::size_t passes = run.disk.number_of_passes();
+    status = refine(run, message);
+    if(status != Status::success)
+      return status;
+    if(run.is_polar) {
+      name = "polar coordinates; instead of " + name + "; " + std::to_string(run.levels) + " levels)";
+      return status;
     }
-    const std::int64_t coarsest = disk.number_of_triangles();
-    name = "multilevel (" + std::to_string(coarsest) + " faces by " + start_name;
-    const std::size_t passes = disk.number_of_passes();
-    int levels = 1;
-    // On long thin tubes the sizes of triangles differ by many orders of magnitude until distances along the tube are right; the
-    // vertices are moved into place one by one before all together, and more often.
-    const double level_ratio = is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
-    // Levels are spread evenly up to the surface itself: the last ones cost most, and a gap behind them costs more.
-    const double growth = std::log(static_cast<double>(domain.number_of_elements()) / coarsest);
-    const int sizes = (std::max)(1, static_cast<int>(std::round(growth / std::log((std::max)(level_ratio, 1.1)))));
-    while(disk.number_of_passes() > 0) {
-      if(!put_back(disk, x, message))
-        return Status::start_not_flip_free;
-      if(is_thin)
-        for(int sweep = 0; sweep < SWEEPS; ++sweep)
-          for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
-            if(disk.is_awake(v))
-              placement.relax(v, 1);
-      if(disk.number_of_passes() > 0 && levels < sizes &&
-         disk.number_of_triangles() >= NEAR_LEVEL * coarsest * std::exp(growth * levels / sizes)) {
-        placement.relax_distorted(LARGEST_DISTORTION, DISTORTED_SWEEPS);
-        std::vector<std::int32_t> vertices;
-        const Simplicial_domain<2> level = disk.domain(vertices);
-        Positions<2> y(2, vertices.size());
-        for(std::size_t v = 0; v < vertices.size(); ++v)
-          y.col(v) = x.col(vertices[v]) / level.scale;
-        const Status status = optimize(level, vertices, y, x, message);
-        if(status != Status::success)
-          return status;
-        ++levels;
-        if(has_polar_map && polar_map.energy() < POLAR_ADVANTAGE * mean_distortion(level, y)) {
-          has_polar_map = false;
-          Positions<2> polar;
-          polar_map.place(polar);
-          if(count_flips(domain, polar) == 0) {
-            x = std::move(polar);
-            name = "polar coordinates; instead of " + name + "; " + std::to_string(levels) + " levels)";
-            return Status::success;
-          }
-        }
-      }
-    }
-    placement.relax_distorted(LARGEST_DISTORTION, DISTORTED_SWEEPS);
-    name += "; " + std::to_string(passes) + " passes, " + std::to_string(levels) + " levels)";
-
-    const std::int64_t flips = count_flips(domain, x);
+    name += "; " + std::to_string(passes) + " passes, " + std::to_string(run.levels) + " levels)";
+    const std::int64_t flips = Measure(domain).number_of_flips(x);
     if(flips != 0) {
       message = "the multilevel start has " + std::to_string(flips) + " flipped elements";
       return Status::start_not_flip_free;
@@ -158,20 +97,102 @@ public:
   }
 
 private:
-  static std::int64_t count_flips(const Simplicial_domain<2>& domain, const Positions<2>& x)
+  using Measure = Map_measure<2, Kernel, Tag>;
+
+  // What one call works on.
+  struct Run
   {
-    internal::Element_coloring schedule;
-    schedule.build(domain.elements, domain.number_of_vertices);
-    return internal::count_flips<Kernel, Tag>(domain, schedule, x);
+    Run(const Simplicial_domain<2>& surface, const typename Traits::Energy& energy, Positions<2>& positions)
+      : domain(surface), x(positions), disk(domain), placement(disk, energy, x), polar_map(domain)
+    {}
+
+    const Simplicial_domain<2>& domain;
+    Positions<2>& x;
+    internal::Progressive_disk disk;
+    Placement placement;
+    internal::Polar_map polar_map;
+    bool has_polar_map = false; // and has not taken or refused it yet
+    bool is_polar = false;      // x is the polar map
+    bool is_thin = false;
+    int levels = 1;
+    std::string start_name;
+  };
+
+  // Simplifies the surface, embeds and optimises it. Where even the simplified surface has no flip-free embedding in double
+  // precision, simpler ones are tried.
+  Status embed_coarsest(Run& run, std::string& message)
+  {
+    const auto make_solver = [this] { return m_traits.make_linear_solver(); };
+    for(std::int64_t wanted = m_traits.start.coarsest_size;; wanted /= 4) {
+      run.disk.template coarsen<Tag>(wanted);
+      std::vector<std::int32_t> vertices;
+      const Simplicial_domain<2> coarse = run.disk.domain(vertices);
+      Positions<2> y;
+      const Status status = Tutte(m_traits.start)(coarse, make_solver, y, run.start_name, message);
+      if(status == Status::invalid_option)
+        return status;
+      if(status == Status::success)
+        return optimize(coarse, vertices, y, run.x, message);
+      if(wanted < 12)
+        return Status::start_not_flip_free;
+      if(!run.is_thin)
+        run.has_polar_map = run.polar_map.build(make_solver);
+      run.is_thin = true;
+    }
   }
 
-  // The mean symmetric Dirichlet energy of a level, whatever energy it was optimised for.
-  static double mean_distortion(const Simplicial_domain<2>& level, const Positions<2>& y)
+  // Puts all vertices back, and optimises in between.
+  Status refine(Run& run, std::string& message)
   {
-    double sum = 0;
-    for(std::int64_t e = 0; e < level.number_of_elements(); ++e)
-      sum += level.measures[e] * Symmetric_dirichlet().value<2>(internal::signed_singular_values(level.jacobian(e, y)));
-    return sum;
+    const std::int64_t coarsest = run.disk.number_of_triangles();
+    // On long thin tubes the sizes of triangles differ by many orders of magnitude until distances along the tube are right; the
+    // vertices are moved into place one by one before all together, and more often.
+    const double level_ratio = run.is_thin ? (std::min)(m_traits.start.level_ratio, 2.) : m_traits.start.level_ratio;
+    // Levels are spread evenly up to the surface itself: the last ones cost most, and a gap behind them costs more.
+    const double growth = std::log(static_cast<double>(run.domain.number_of_elements()) / coarsest);
+    const int sizes = (std::max)(1, static_cast<int>(std::round(growth / std::log((std::max)(level_ratio, 1.1)))));
+    while(run.disk.number_of_passes() > 0) {
+      if(!put_back(run.disk, run.x, message))
+        return Status::start_not_flip_free;
+      if(run.is_thin)
+        for(int sweep = 0; sweep < SWEEPS; ++sweep)
+          for(std::int32_t v = 0; v < run.domain.number_of_vertices; ++v)
+            if(run.disk.is_awake(v))
+              run.placement.relax(v, 1);
+      if(run.disk.number_of_passes() > 0 && run.levels < sizes &&
+         run.disk.number_of_triangles() >= NEAR_LEVEL * coarsest * std::exp(growth * run.levels / sizes)) {
+        const Status status = optimize_level(run, message);
+        if(status != Status::success || run.is_polar)
+          return status;
+      }
+    }
+    run.placement.relax_distorted(LARGEST_DISTORTION, DISTORTED_SWEEPS);
+    return Status::success;
+  }
+
+  // Optimises the surface as far as it is, and takes the polar map instead if that is better.
+  Status optimize_level(Run& run, std::string& message)
+  {
+    run.placement.relax_distorted(LARGEST_DISTORTION, DISTORTED_SWEEPS);
+    std::vector<std::int32_t> vertices;
+    const Simplicial_domain<2> level = run.disk.domain(vertices);
+    Positions<2> y(2, vertices.size());
+    for(std::size_t v = 0; v < vertices.size(); ++v)
+      y.col(v) = run.x.col(vertices[v]) / level.scale;
+    const Status status = optimize(level, vertices, y, run.x, message);
+    if(status != Status::success)
+      return status;
+    ++run.levels;
+    // The symmetric Dirichlet energy tells, whatever energy the level was optimised for.
+    if(run.has_polar_map && run.polar_map.energy() < POLAR_ADVANTAGE * Measure(level).mean_energy(Symmetric_dirichlet(), y)) {
+      run.has_polar_map = false;
+      Positions<2> polar;
+      run.polar_map.place(polar);
+      run.is_polar = Measure(run.domain).number_of_flips(polar) == 0;
+      if(run.is_polar)
+        run.x = std::move(polar);
+    }
+    return Status::success;
   }
 
   Status optimize(const Simplicial_domain<2>& level, const std::vector<std::int32_t>& vertices, Positions<2>& y, Positions<2>& x,
@@ -179,7 +200,7 @@ private:
   {
     // Errors of coarse levels are expensive to repair on finer ones, where they are errors of long waves.
     m_traits.options.relative_energy_tolerance = m_traits.start.level_tolerance * (std::min)(1., level.number_of_elements() / 2e4);
-    const Summary summary = Map_minimizer<2, Traits>(level, m_traits).minimize(y);
+    const Summary summary = typename Traits::template Minimizer<2, Traits>(level, m_traits).minimize(y);
     if(!summary.is_valid()) {
       message = "a simplified surface could not be optimised: " + summary.message;
       return summary.status;

@@ -10,9 +10,10 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
+#include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/initializers/internal/fill_holes.h>
-#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Laplacian_matrix.h>
 #include <CGAL/Flip_free_maps/method/Start_options.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -237,71 +239,78 @@ private:
       x.conservativeResize(2, domain.number_of_vertices);
       return done;
     }
-    const std::int32_t n = domain.number_of_vertices;
-    std::vector<std::int32_t> unknown(n, 0);
-    x.setZero(2, n);
-    for(std::size_t i = 0; i < domain.border.size(); ++i) {
-      unknown[domain.border[i]] = -1;
+    x.setZero(2, domain.number_of_vertices);
+    for(std::size_t i = 0; i < domain.border.size(); ++i)
       x.col(domain.border[i]) = border_positions.col(i);
-    }
-    std::int32_t unknowns = 0;
-    for(std::int32_t v = 0; v < n; ++v)
-      if(unknown[v] == 0)
-        unknown[v] = unknowns++;
-    if(unknowns == 0)
+    const internal::Unknowns unknowns(domain.number_of_vertices, domain.border);
+    if(unknowns.size() == 0)
       return true;
+    const bool solved = kind == Tutte_weights::mean_value ? solve_unsymmetric(domain, kind, unknowns, x)
+                                                          : solve_symmetric(domain, kind, unknowns, make_linear_solver(), x);
+    return solved && x.allFinite();
+  }
 
-    Eigen::VectorXd right[2] = {Eigen::VectorXd::Zero(unknowns), Eigen::VectorXd::Zero(unknowns)}, left[2];
+  // One vector for each coordinate.
+  using Coordinates = std::array<Eigen::VectorXd, 2>;
+
+  // Calls add(v, w, weight) for all weights that an element contributes to rows of unknowns. Returns the right-hand sides.
+  template <typename Add>
+  static Coordinates assemble(const Simplicial_domain<2>& domain, Tutte_weights kind, const internal::Unknowns& unknowns,
+                              const Positions<2>& x, Add&& add)
+  {
+    Coordinates right{Eigen::VectorXd::Zero(unknowns.size()), Eigen::VectorXd::Zero(unknowns.size())};
+    for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
+      const Eigen::Matrix3d weights = corner_weights(domain, e, kind);
+      const auto& vertices = domain.elements[e];
+      for(int i = 0; i < 3; ++i)
+        for(int j = 0; j < 3; ++j) {
+          const std::int32_t v = vertices[i], w = vertices[j];
+          if(i == j || unknowns.is_fixed(v))
+            continue;
+          add(v, w, weights(i, j));
+          if(unknowns.is_fixed(w))
+            for(int c = 0; c < 2; ++c)
+              right[c][unknowns[v]] += weights(i, j) * x(c, w);
+        }
+    }
+    return right;
+  }
+
+  static void spread(const Coordinates& left, const internal::Unknowns& unknowns, Positions<2>& x)
+  {
+    unknowns.for_each([&](std::int32_t v, std::int32_t i) { x.col(v) << left[0][i], left[1][i]; });
+  }
+
+  template <typename Solver>
+  static bool solve_symmetric(const Simplicial_domain<2>& domain, Tutte_weights kind, const internal::Unknowns& unknowns, Solver&& solver,
+                              Positions<2>& x)
+  {
+    internal::Laplacian_matrix matrix(unknowns, domain.elements);
+    const Coordinates right =
+      assemble(domain, kind, unknowns, x, [&](std::int32_t v, std::int32_t w, double weight) { matrix.add_neighbor(v, w, weight); });
+    Coordinates left;
+    if(!matrix.factorize(solver) || !solver.solve(right[0], left[0]) || !solver.solve(right[1], left[1]))
+      return false;
+    spread(left, unknowns, x);
+    return true;
+  }
+
+  static bool solve_unsymmetric(const Simplicial_domain<2>& domain, Tutte_weights kind, const internal::Unknowns& unknowns, Positions<2>& x)
+  {
     std::vector<Eigen::Triplet<double>> triplets;
     triplets.reserve(12 * domain.elements.size());
-    for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
-      const Eigen::Matrix3d w = corner_weights(domain, e, kind);
-      const auto& v = domain.elements[e];
-      for(int i = 0; i < 3; ++i) {
-        const std::int32_t row = unknown[v[i]];
-        if(row < 0)
-          continue;
-        for(int j = 0; j < 3; ++j) {
-          if(j == i)
-            continue;
-          triplets.emplace_back(row, row, w(i, j));
-          if(unknown[v[j]] >= 0)
-            triplets.emplace_back(row, unknown[v[j]], -w(i, j));
-          else
-            for(int c = 0; c < 2; ++c)
-              right[c][row] += w(i, j) * x(c, v[j]);
-        }
-      }
-    }
-
-    if(kind == Tutte_weights::mean_value) {
-      Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
-      matrix.setFromTriplets(triplets.begin(), triplets.end());
-      Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
-      if(solver.info() != Eigen::Success)
-        return false;
-      for(int c = 0; c < 2; ++c)
-        left[c] = solver.solve(right[c]);
-    } else {
-      std::vector<std::array<std::int32_t, 2>> edges;
-      edges.reserve(triplets.size() / 2);
-      for(const auto& t : triplets)
-        if(t.row() < t.col())
-          edges.push_back({t.row(), t.col()});
-      Block_sparse_matrix matrix;
-      matrix.build_pattern(unknowns, 1, edges);
-      for(const auto& t : triplets)
-        if(t.row() <= t.col())
-          matrix.add_block(t.row(), t.col(), matrix.slot(t.row(), t.col()), Eigen::Matrix<double, 1, 1>(t.value()));
-      auto solver = make_linear_solver();
-      if(!solver.analyze_pattern(matrix) || !solver.factorize(matrix) || !solver.solve(right[0], left[0]) ||
-         !solver.solve(right[1], left[1]))
-        return false;
-    }
-    for(std::int32_t v = 0; v < n; ++v)
-      if(unknown[v] >= 0)
-        x.col(v) << left[0][unknown[v]], left[1][unknown[v]];
-    return x.allFinite();
+    const Coordinates right = assemble(domain, kind, unknowns, x, [&](std::int32_t v, std::int32_t w, double weight) {
+      triplets.emplace_back(unknowns[v], unknowns[v], weight);
+      if(!unknowns.is_fixed(w))
+        triplets.emplace_back(unknowns[v], unknowns[w], -weight);
+    });
+    Eigen::SparseMatrix<double> matrix(unknowns.size(), unknowns.size());
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
+    if(solver.info() != Eigen::Success)
+      return false;
+    spread({solver.solve(right[0]), solver.solve(right[1])}, unknowns, x);
+    return true;
   }
 
   static void orient(const Simplicial_domain<2>& domain, Positions<2>& x)

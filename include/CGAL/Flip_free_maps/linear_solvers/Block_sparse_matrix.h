@@ -89,13 +89,15 @@ public:
     m_values.assign(m_rows.size(), 0.);
   }
 
-  /// The place of the block of vertices v and w among the blocks of column min(v, w), to be handed to `add_block()`.
+  /// The place of the block of vertices v and w among the blocks of column min(v, w), to be handed to `add_block()`; -1 if the
+  /// pattern has no such block.
   std::int32_t slot(std::int32_t v, std::int32_t w) const
   {
     if(v > w)
       std::swap(v, w);
     const auto first = m_block_rows.begin() + m_block_columns[v], last = m_block_rows.begin() + m_block_columns[v + 1];
-    return static_cast<std::int32_t>(std::lower_bound(first, last, w) - first);
+    const auto found = std::lower_bound(first, last, w);
+    return found != last && *found == w ? static_cast<std::int32_t>(found - first) : -1;
   }
 
   /// Adds `block(i, j)` to row i of vertex v and column j of vertex w, and its transpose to the mirrored block; for v = w only

@@ -32,6 +32,9 @@
 namespace CGAL {
 namespace Flip_free_maps {
 
+template <int D, typename Traits>
+class Map_minimizer;
+
 /// \ingroup PkgFlipFreeMapsRef
 /// Bundles the choices that make a method: what is minimised, how directions are found, and with which settings.
 ///
@@ -87,6 +90,10 @@ public:
   using Refactorization_rule = typename CGAL::Default::Get<RefactorizationRule_, On_demand>::type;
   /// Whether elements are processed in parallel.
   using Concurrency_tag = typename CGAL::Default::Get<ConcurrencyTag_, CGAL::Parallel_if_available_tag>::type;
+  /// Runs the method. `Traits` are these traits, or a class derived from them. It is declared here, and defined in
+  /// `minimizer/Map_minimizer.h`.
+  template <int D, typename Traits>
+  using Minimizer = Map_minimizer<D, Traits>;
   /// @}
 
   /// \name Choices

@@ -271,8 +271,12 @@ struct MapTraitsConcept : boost::CopyConstructible<Traits>
   BOOST_CONCEPT_ASSERT((AccelerationConcept<Acceleration>));
   BOOST_CONCEPT_ASSERT((RefactorizationRuleConcept<Refactorization_rule>));
 
+  // Only the name: the class may be incomplete here, and checks the traits itself.
+  using Minimizer = typename Traits::template Minimizer<D, Traits>;
+
   BOOST_CONCEPT_USAGE(MapTraitsConcept)
   {
+    static_assert(std::is_class<Minimizer>::value, "Minimizer must be a class");
     static_assert(std::is_convertible<Concurrency_tag, CGAL::Sequential_tag>::value ||
                     std::is_convertible<Concurrency_tag, CGAL::Parallel_tag>::value,
                   "Concurrency_tag must be one of CGAL's concurrency tags");

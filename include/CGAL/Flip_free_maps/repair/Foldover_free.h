@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
+#include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/error_message.h>
@@ -24,12 +25,10 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -104,12 +103,7 @@ public:
     : m_domain(domain), m_traits(traits), m_options(options)
   {
     m_schedule.build(domain.elements, domain.number_of_vertices);
-    m_row.assign(domain.number_of_vertices, 0);
-    for(std::int32_t v : constraints.fixed_vertices)
-      m_row[v] = -1;
-    for(std::int32_t& row : m_row)
-      if(row == 0)
-        row = m_number_of_rows++;
+    m_row.assign(domain.number_of_vertices, constraints.fixed_vertices);
     m_has_fixed = !constraints.fixed_vertices.empty();
   }
 
@@ -127,13 +121,9 @@ public:
     const double time_begin = internal::wall_seconds();
     typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
     internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver);
-    solver.set_summary(summary);
-    std::vector<std::array<std::int32_t, D + 1>> stencils(m_domain.elements.size());
-    for(std::size_t e = 0; e < stencils.size(); ++e)
-      for(int i = 0; i <= D; ++i)
-        stencils[e][i] = m_row[m_domain.elements[e][i]];
-    m_matrix.build_pattern(m_number_of_rows, D, stencils);
-    const bool is_free = m_number_of_rows > 0 && solver.analyze_pattern(m_matrix);
+    const auto reporting = solver.report_to(summary);
+    m_matrix.build_pattern(m_row.size(), D, m_row.of(m_domain.elements));
+    const bool is_free = m_row.size() > 0 && solver.analyze_pattern(m_matrix);
 
     std::int64_t flips = this->flips(result);
     double epsilon = 1;
@@ -229,7 +219,7 @@ private:
   template <typename Solver>
   bool step(Solver& solver, double epsilon, double& energy, Positions<D>& x)
   {
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(Eigen::Index(D) * m_number_of_rows), direction;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(Eigen::Index(D) * m_row.size()), direction;
     m_matrix.set_zero();
     m_schedule.template scatter<Tag>([&](std::int64_t e) { assemble(e, epsilon, x, gradient); });
     // Translations are in the null space; stiffness on one vertex removes them without changing the direction.
@@ -243,9 +233,8 @@ private:
       return false;
     Positions<D> trial = x;
     for(double length = 1; length > 1e-12; length *= 0.5) {
-      for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
-        if(m_row[v] >= 0)
-          trial.col(v) = x.col(v) - length * direction.template segment<D>(Eigen::Index(D) * m_row[v]);
+      m_row.for_each(
+        [&](std::int32_t v, std::int32_t row) { trial.col(v) = x.col(v) - length * direction.template segment<D>(Eigen::Index(D) * row); });
       const double value = this->energy(trial, epsilon);
       if(value <= energy + 1e-4 * length * slope) {
         energy = value;
@@ -288,8 +277,7 @@ private:
   Traits m_traits;
   Foldover_free_options m_options;
   internal::Element_coloring m_schedule;
-  std::vector<std::int32_t> m_row;
-  std::int32_t m_number_of_rows = 0;
+  internal::Unknowns m_row;
   bool m_has_fixed = false;
   Block_sparse_matrix m_matrix;
 };

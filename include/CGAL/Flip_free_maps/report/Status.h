@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_REPORT_STATUS_H
 #define CGAL_FLIP_FREE_MAPS_REPORT_STATUS_H
 
+#include <ostream>
+
 namespace CGAL {
 namespace Flip_free_maps {
 
@@ -95,6 +97,10 @@ inline const char* status_name(Status status)
   }
   return "unknown";
 }
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Writes the name of a status.
+inline std::ostream& operator<<(std::ostream& os, Status status) { return os << status_name(status); }
 
 /// \ingroup PkgFlipFreeMapsRef
 /// `true` for the statuses that leave a valid map in the caller's property map.

@@ -8,12 +8,10 @@
 #ifndef CGAL_FLIP_FREE_MAPS_REPORT_SUMMARY_H
 #define CGAL_FLIP_FREE_MAPS_REPORT_SUMMARY_H
 
-#include <CGAL/Flip_free_maps/report/Status.h>
-#include <CGAL/Flip_free_maps/report/internal/report_header.h>
+#include <CGAL/Flip_free_maps/report/Outcome.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <ostream>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -32,15 +30,29 @@ struct Phase_seconds
   double line_search = 0; ///< largest steps and energies along directions
   double certify = 0;     ///< exact predicates on accepted maps
   double total = 0;       ///< everything, from the mesh in memory to the written map
+
+  /// Calls `visit(name, value)` for each field.
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    visit("load", load);
+    visit("start", start);
+    visit("assemble", assemble);
+    visit("analyze", analyze);
+    visit("factorize", factorize);
+    visit("solve", solve);
+    visit("line_search", line_search);
+    visit("certify", certify);
+    visit("total", total);
+  }
 };
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The account of a run: how it ended, what it cost, and what was used. Fields that a run did not reach keep their initial
 /// values (-1 for counts and energies), so an unset field can be recognised.
-struct Summary
+struct Summary : Outcome
 {
-  Status status = Status::invalid_option;   ///< how the run ended
-  std::string message = "not run";          ///< a sentence that says why
+  int dimension = 2;                        ///< 2 for maps of triangles, 3 for maps of tetrahedra
   std::int64_t vertices = -1;               ///< vertices of the mapped component
   std::int64_t elements = -1;               ///< triangles or tetrahedra of the mapped component
   int iterations = 0;                       ///< accepted steps
@@ -57,7 +69,7 @@ struct Summary
   double characteristic_gradient_norm = -1; ///< the same over the characteristic gradient (see `Map_options`)
   double min_singular_value = -1;           ///< smallest singular value over all elements
   double max_singular_value = -1;           ///< largest singular value over all elements
-  int is_bijective = -1;                    ///< 1 when the image does not overlap itself, 0 when it does, -1 when nobody asked
+  std::optional<bool> is_bijective;         ///< whether the image does not overlap itself; without a value when nobody asked
   std::int64_t flips = -1;                  ///< elements that are not positively oriented, by exact predicates
   Phase_seconds seconds;                    ///< wall-clock seconds by phase
   double cpu_seconds = 0;                   ///< CPU seconds (all threads) of `seconds.total`
@@ -75,79 +87,54 @@ struct Summary
   /// `true` when a stopping rule was met. A map is valid, but not converged, when a limit or the observer ended the run.
   bool converged() const { return status == Status::success; }
 
-  /// `true` when the caller's property map holds a flip-free map.
-  bool is_valid() const { return is_valid_map(status); }
+  /// The CPU seconds of the run in those of one factorization; nothing when it factorized nothing.
+  std::optional<double> factorization_units() const
+  {
+    if(factorizations > 0 && factorize_cpu_seconds > 0)
+      return cpu_seconds * factorizations / factorize_cpu_seconds;
+    return std::nullopt;
+  }
+
+  /// Calls `visit(name, value)` for each field. The elements are `faces` or `tetrahedra`.
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    constexpr Field_role DETAIL = Field_role::detail;
+    Outcome::for_each_field(visit);
+    visit("converged", converged(), DETAIL);
+    visit("dimension", dimension, DETAIL);
+    visit("vertices", vertices);
+    visit(dimension == 3 ? "tetrahedra" : "faces", elements);
+    visit("flips", flips);
+    visit("bijective", is_bijective);
+    visit("energy_initial", energy_initial);
+    visit("energy", energy);
+    visit("energy_of_terms", energy_of_terms, energy_of_terms != 0 ? Field_role::shown : DETAIL);
+    visit("min_singular_value", min_singular_value);
+    visit("max_singular_value", max_singular_value);
+    visit("gradient_norm", gradient_norm, DETAIL);
+    visit("characteristic_gradient_norm", characteristic_gradient_norm, DETAIL);
+    visit("iterations", iterations);
+    visit("factorizations", factorizations);
+    visit("linear_solves", linear_solves, DETAIL);
+    visit("inner_iterations", inner_iterations, DETAIL);
+    visit("energy_evaluations", energy_evaluations, DETAIL);
+    visit("fallbacks", fallbacks, DETAIL);
+    visit("start", start);
+    visit("energy_name", energy_name, DETAIL);
+    visit("preconditioner", preconditioner);
+    visit("reference", reference, DETAIL);
+    visit("acceleration", acceleration, DETAIL);
+    visit("linear_solver", linear_solver);
+    visit("ordering", ordering, DETAIL);
+    visit("factor_entries", factor_entries, DETAIL);
+    visit("factorization_units", factorization_units(), DETAIL);
+    visit("factorize_cpu_seconds", factorize_cpu_seconds, DETAIL);
+    visit("cpu_seconds", cpu_seconds, DETAIL);
+    visit("peak_memory_mb", peak_memory_mb, DETAIL);
+    visit("seconds", seconds, elements < 0 ? DETAIL : Field_role::shown);
+  }
 };
-
-/// \ingroup PkgFlipFreeMapsRef
-/// Fills a JSON value with all fields of a summary. Written against the interface of nlohmann::json, which finds this function
-/// by argument-dependent lookup: `nlohmann::json j = summary;`. `factorization_units` is `null` when the run factorized nothing.
-template <typename Json>
-void to_json(Json& json, const Summary& summary)
-{
-  internal::report_header(json, summary);
-  json["converged"] = summary.converged();
-  json["vertices"] = summary.vertices;
-  json["faces"] = summary.elements;
-  json["iterations"] = summary.iterations;
-  json["factorizations"] = summary.factorizations;
-  json["linear_solves"] = summary.linear_solves;
-  json["inner_iterations"] = summary.inner_iterations;
-  json["energy_evaluations"] = summary.energy_evaluations;
-  json["fallbacks"] = summary.fallbacks;
-  json["energy"] = summary.energy;
-  json["energy_of_terms"] = summary.energy_of_terms;
-  json["energy_initial"] = summary.energy_initial;
-  json["gradient_norm"] = summary.gradient_norm;
-  json["characteristic_gradient_norm"] = summary.characteristic_gradient_norm;
-  json["flips"] = summary.flips;
-  json["bijective"] = nullptr;
-  if(summary.is_bijective >= 0)
-    json["bijective"] = summary.is_bijective == 1;
-  json["min_singular_value"] = summary.min_singular_value;
-  json["max_singular_value"] = summary.max_singular_value;
-  Json seconds = Json::object();
-  seconds["load"] = summary.seconds.load;
-  seconds["start"] = summary.seconds.start;
-  seconds["assemble"] = summary.seconds.assemble;
-  seconds["analyze"] = summary.seconds.analyze;
-  seconds["factorize"] = summary.seconds.factorize;
-  seconds["solve"] = summary.seconds.solve;
-  seconds["line_search"] = summary.seconds.line_search;
-  seconds["certify"] = summary.seconds.certify;
-  seconds["total"] = summary.seconds.total;
-  json["seconds"] = seconds;
-  json["cpu_seconds"] = summary.cpu_seconds;
-  json["factorize_cpu_seconds"] = summary.factorize_cpu_seconds;
-  json["factorization_units"] = nullptr;
-  if(summary.factorizations > 0 && summary.factorize_cpu_seconds > 0)
-    json["factorization_units"] = summary.cpu_seconds * summary.factorizations / summary.factorize_cpu_seconds;
-  json["factor_entries"] = summary.factor_entries;
-  json["peak_memory_mb"] = summary.peak_memory_mb;
-  json["linear_solver"] = summary.linear_solver;
-  json["ordering"] = summary.ordering;
-  json["start"] = summary.start;
-  json["energy_name"] = summary.energy_name;
-  json["preconditioner"] = summary.preconditioner;
-  json["reference"] = summary.reference;
-  json["acceleration"] = summary.acceleration;
-}
-
-/// \ingroup PkgFlipFreeMapsRef
-/// Writes a summary as a few lines of text.
-inline std::ostream& operator<<(std::ostream& os, const Summary& summary)
-{
-  os << status_name(summary.status) << ": " << summary.message << '\n';
-  if(summary.elements < 0)
-    return os;
-  os << "  " << summary.vertices << " vertices, " << summary.elements << " elements, " << summary.flips << " flipped\n"
-     << "  energy " << summary.energy_initial << " -> " << summary.energy << ", singular values [" << summary.min_singular_value << ", "
-     << summary.max_singular_value << "]\n"
-     << "  " << summary.iterations << " iterations, " << summary.factorizations << " factorizations, " << summary.seconds.total << " s\n"
-     << "  start: " << summary.start << "; preconditioner: " << summary.preconditioner << "; linear solver: " << summary.linear_solver
-     << '\n';
-  return os;
-}
 
 } // namespace Flip_free_maps
 } // namespace CGAL

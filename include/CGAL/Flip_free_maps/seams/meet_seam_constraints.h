@@ -57,12 +57,21 @@ struct Seam_options
 
 /// \ingroup PkgFlipFreeMapsSeams
 /// The account of a map with constrained seams.
-struct Seam_summary : public Summary
+struct Seam_summary : Summary
 {
   double residual = -1; ///< the greatest residual of a seam's edge, over the length of the seam
   /// For each seam the (a, b) of T = [a b; -b a], which takes its left side to its right one; a rotation by t has (cos t,
   /// -sin t).
   std::vector<internal::Vector<2>> transformations;
+
+  /// Calls `visit(name, value)` for each field.
+  template <typename Visitor>
+  void for_each_field(Visitor&& visit) const
+  {
+    Summary::for_each_field(visit);
+    visit("residual", residual);
+    visit("transformations", transformations);
+  }
 };
 
 namespace internal {
@@ -139,7 +148,7 @@ Seam_summary meet_seam_constraints(const Simplicial_domain<2>& domain, Positions
   term->weight = options.first_weight;
   {
     Position_constraints<2> none;
-    Map_minimizer<2, Traits> minimizer(domain, traits, none);
+    typename Traits::template Minimizer<2, Traits> minimizer(domain, traits, none);
     Positions<2> z = x;
     minimizer.minimize(z, summary);
     if(summary.status != Status::success)
@@ -158,7 +167,7 @@ Seam_summary meet_seam_constraints(const Simplicial_domain<2>& domain, Positions
 
   const bool is_free = constraints.fixed_vertices.size() < seams.size();
   if(is_free || options.relation == Seam_relation::similarity) {
-    Map_minimizer<2, Traits> minimizer(extended, traits, constraints);
+    typename Traits::template Minimizer<2, Traits> minimizer(extended, traits, constraints);
     minimizer.add_term(term);
     if(options.relation == Seam_relation::similarity) {
       if(!internal::meet(minimizer, *term, options, y, summary))
@@ -189,7 +198,7 @@ Seam_summary meet_seam_constraints(const Simplicial_domain<2>& domain, Positions
         y.col(t) = internal::nearest_quarter_turn(y.col(t));
         constraints.fixed_vertices.push_back(t);
       }
-    Map_minimizer<2, Traits> minimizer(extended, traits, constraints);
+    typename Traits::template Minimizer<2, Traits> minimizer(extended, traits, constraints);
     minimizer.add_term(term);
     if(!internal::meet(minimizer, *term, options, y, summary))
       return summary;

@@ -151,9 +151,9 @@ public:
   explicit Proximal_map(const Energy& energy = Energy()) : m_energy(energy)
   {
     if constexpr(internal::Holds_energy<Energy>::value)
-      m_closed_form = m_energy.energy_name() == Symmetric_gradient::name()    ? Closed_form::symmetric_gradient
-                      : m_energy.energy_name() == Symmetric_dirichlet::name() ? Closed_form::symmetric_dirichlet
-                                                                              : Closed_form::none;
+      m_closed_form = m_energy.template holds<Symmetric_gradient>()    ? Closed_form::symmetric_gradient
+                      : m_energy.template holds<Symmetric_dirichlet>() ? Closed_form::symmetric_dirichlet
+                                                                       : Closed_form::none;
     if(m_closed_form != Closed_form::none) {
       m_scale = m_closed_form == Closed_form::symmetric_gradient ? Gradient::scale() : Dirichlet::scale();
       return;

@@ -12,7 +12,7 @@
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
-#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 
@@ -20,6 +20,37 @@
 
 namespace CGAL {
 namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsSplitting
+/// The minimizer of `Splitting_map_traits`: a `Splitting_minimizer` that takes its settings from the traits, and is followed by
+/// `Map_minimizer` if `Splitting_options::polish` says so.
+template <int D, typename Traits>
+class Splitting_map_minimizer : public Splitting_minimizer<D, Traits>
+{
+public:
+  /// Keeps a reference to `domain`, which must outlive this object, and copies of the others.
+  explicit Splitting_map_minimizer(const Simplicial_domain<D>& domain, const Traits& traits = Traits(),
+                                   const Position_constraints<D>& constraints = Position_constraints<D>())
+    : Splitting_minimizer<D, Traits>(domain, traits, constraints, settings(traits))
+  {}
+
+  /// Does nothing: the pattern, a small one, is analysed in the first run.
+  ///
+  /// \returns `true`
+  bool analyze(Summary&) { return true; }
+
+private:
+  static Splitting_options settings(const Traits& traits)
+  {
+    Splitting_options result = traits.splitting;
+    result.max_iterations = (std::min)(result.max_iterations, traits.options.max_iterations);
+    result.max_seconds = (std::min)(result.max_seconds, traits.options.max_seconds);
+    result.target_energy = (std::max)(result.target_energy, traits.options.target_energy);
+    if(!result.observer)
+      result.observer = traits.options.observer;
+    return result;
+  }
+};
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Traits with which `parameterize()`, `deform()`, `deform_volume()` and `Deformation` run on the splitting scheme of Stein, Li
@@ -41,6 +72,9 @@ class Splitting_map_traits : public BaseTraits
 public:
   /// The polish.
   using Base_traits = BaseTraits;
+  /// Runs the method. `Traits` are these traits, or a class derived from them.
+  template <int D, typename Traits>
+  using Minimizer = Splitting_map_minimizer<D, Traits>;
 
   /// Copies both.
   explicit Splitting_map_traits(const BaseTraits& base = BaseTraits(), const Splitting_options& options = Splitting_options())
@@ -51,32 +85,6 @@ public:
 
   /// Settings of the splitting scheme.
   Splitting_options splitting;
-};
-
-/// \ingroup PkgFlipFreeMapsSplitting
-/// The minimizer of `Splitting_map_traits` is a `Splitting_minimizer`.
-template <int D, typename BaseTraits>
-class Map_minimizer<D, Splitting_map_traits<BaseTraits>> : public Splitting_minimizer<D, BaseTraits>
-{
-public:
-  /// Keeps a reference to `domain`, which must outlive this object, and copies of the others.
-  explicit Map_minimizer(const Simplicial_domain<D>& domain,
-                         const Splitting_map_traits<BaseTraits>& traits = Splitting_map_traits<BaseTraits>(),
-                         const Position_constraints<D>& constraints = Position_constraints<D>())
-    : Splitting_minimizer<D, BaseTraits>(domain, traits, constraints, settings(traits))
-  {}
-
-private:
-  static Splitting_options settings(const Splitting_map_traits<BaseTraits>& traits)
-  {
-    Splitting_options result = traits.splitting;
-    result.max_iterations = (std::min)(result.max_iterations, traits.options.max_iterations);
-    result.max_seconds = (std::min)(result.max_seconds, traits.options.max_seconds);
-    result.target_energy = (std::max)(result.target_energy, traits.options.target_energy);
-    if(!result.observer)
-      result.observer = traits.options.observer;
-    return result;
-  }
 };
 
 } // namespace Flip_free_maps

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_SPLITTING_SPLITTING_MINIMIZER_H
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/method/concepts.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/minimizer/polish_map.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 #include <CGAL/Flip_free_maps/splitting/Admm_splitting_step.h>
 #include <CGAL/Flip_free_maps/splitting/Linear_constraints.h>
@@ -27,14 +29,13 @@
 
 #include <boost/concept_check.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <new>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -86,8 +87,6 @@ public:
       m_solver(m_linear_solver)
   {
     m_schedule.build(domain.elements, domain.number_of_vertices);
-    for(std::int64_t begin = 0; begin < domain.number_of_elements(); begin += CHUNK_SIZE)
-      m_chunks.push_back({begin, (std::min)(begin + CHUNK_SIZE, domain.number_of_elements())});
   }
 
   Splitting_minimizer(const Splitting_minimizer&) = delete;
@@ -157,6 +156,7 @@ public:
   {
     summary.vertices = m_domain.number_of_vertices;
     summary.elements = m_domain.number_of_elements();
+    summary.dimension = D;
     if constexpr(internal::Holds_energy<Energy>::value)
       summary.energy_name = m_traits.energy.energy_name();
     else
@@ -206,155 +206,188 @@ private:
     return Status::success;
   }
 
-  // f(element, sums) for all elements; the sums are added in an order that does not depend on the number of threads.
-  template <typename Sums, typename F>
-  Sums for_each_element(F&& f) const
+  // The variables of one run.
+  struct Run
   {
-    std::vector<Sums> partial(m_chunks.size());
-    internal::for_each_index<Tag>(m_chunks.size(), [&](std::size_t c) {
-      Sums sums;
-      for(std::int64_t e = m_chunks[c].begin; e < m_chunks[c].end; ++e)
-        f(e, sums);
-      partial[c] = sums;
-    });
-    Sums total;
-    for(const Sums& sums : partial)
-      total += sums;
-    return total;
-  }
+    Run(Positions<D>& positions, Summary& s) : x(positions), summary(s) {}
+
+    Positions<D>& x;
+    Summary& summary;
+    Splitting_report report;
+    Positions<D> flip_free; // the last iterate without flips in floating point, if the present one has some
+    std::int64_t flips = 0;
+    int first_iteration = 0;
+    double time_begin = 0;
+    bool is_warm = false;
+    bool is_factorized = false;
+    bool wants_energy = false;
+    int adaptations = 0, interval = 0, next_adaptation = 0; // of penalties
+  };
 
   void run(Positions<D>& x, const Positions<D>& model, Summary& summary)
   {
-    m_solver.set_summary(summary);
+    const auto reporting = m_solver.report_to(summary);
+    Run run(x, summary);
+    if(!begin(run, model))
+      return;
+    while(!has_ended(run) && move_positions(run)) {
+      update_elements(run);
+      schedule_adaptation(run);
+      keep_if_flip_free(run);
+    }
+    conclude(run.flip_free, x, summary);
+    m_is_warm = summary.is_valid();
+    m_is_factorized = run.is_factorized;
+  }
+
+  // Measures the start and splits its Jacobians.
+  bool begin(Run& run, const Positions<D>& model)
+  {
+    Summary& summary = run.summary;
     const bool is_new = m_positions == nullptr;
     if(is_new)
       m_positions = std::make_unique<Position_solver>(m_domain, m_schedule, m_constraints, m_linear_constraints);
-    Position_solver& positions = *m_positions;
-    const int first_iteration = summary.iterations;
-    const double time_begin = internal::wall_seconds();
-
-    std::int64_t flips = this->flips(x, summary);
-    summary.energy = summary.energy_initial = flips == 0 ? energy(x) : std::numeric_limits<double>::infinity();
-    const bool is_warm = m_options.keep_factorization && m_is_warm;
+    run.first_iteration = summary.iterations;
+    run.time_begin = internal::wall_seconds();
+    run.wants_energy = m_options.observer || std::isfinite(m_options.target_energy);
+    run.flips = flips(run.x, summary);
+    summary.energy = summary.energy_initial = run.flips == 0 ? energy(run.x) : std::numeric_limits<double>::infinity();
+    run.is_warm = m_options.keep_factorization && m_is_warm;
     m_is_warm = false;
-    if(!is_warm)
+    if(!run.is_warm)
       m_is_inert = m_options.proximal_rotation == Proximal_rotation::on ||
-                   (m_options.proximal_rotation == Proximal_rotation::automatic && flips <= MANY_FLIPS * m_domain.number_of_elements());
+                   (m_options.proximal_rotation == Proximal_rotation::automatic && run.flips <= MANY_FLIPS * m_domain.number_of_elements());
     // With a model of its own, the first iterate is to come near it;
     // the Jacobians of x are entered so that its increment is right.
     {
       const internal::Phase_timer timer(summary.seconds.assemble);
       m_elements.resize(m_domain.elements.size());
-      for_each_element<Splitting_errors>([&](std::int64_t e, Splitting_errors&) {
-        if(!is_warm)
+      m_schedule.template for_each<Tag>([&](std::int64_t e) {
+        if(!run.is_warm)
           m_step.start(m_domain.jacobian(e, model), m_domain.measures[e], m_is_inert, m_elements[e]);
-        m_elements[e].jacobian = m_domain.jacobian(e, x);
+        m_elements[e].jacobian = m_domain.jacobian(e, run.x);
       });
     }
-    if(is_new && positions.has_unknowns() && !positions.analyze_pattern(m_solver)) {
+    if(is_new && m_positions->has_unknowns() && !m_positions->analyze_pattern(m_solver)) {
       m_positions.reset();
       finish(summary, Status::linear_solver_failed, "the linear solver could not analyse the pattern of the matrix");
+      return false;
+    }
+    if(run.flips == 0)
+      run.flip_free = run.x;
+    run.is_factorized = run.is_warm && m_is_factorized;
+    // Penalties of the run before are about right.
+    run.adaptations = run.is_warm ? m_options.first_adaptations : 0;
+    run.interval = m_options.adaptation_interval;
+    run.next_adaptation = run.first_iteration + (run.is_warm ? run.interval : 1);
+    return true;
+  }
+
+  // Asks the observer, the stopping rules and the limits, in this order.
+  bool has_ended(Run& run)
+  {
+    Summary& summary = run.summary;
+    const auto end = [&summary](Status status, const char* message) {
+      finish(summary, status, message);
+      return true;
+    };
+    if(run.wants_energy)
+      summary.energy = run.flips == 0 ? energy(run.x) : std::numeric_limits<double>::infinity();
+    if(m_options.observer && !m_options.observer(report(run)))
+      return end(Status::stopped_by_observer, "the observer asked to stop");
+    const bool has_moved = summary.iterations > run.first_iteration;
+    if(run.flips == 0) {
+      if(m_options.stop_when_flip_free)
+        return end(Status::success, "no element is flipped");
+      if(run.wants_energy && summary.energy <= m_options.target_energy)
+        return end(Status::success, "the target energy is reached");
+      if(has_moved && is_within_tolerances(run))
+        return end(Status::success, "both errors are within their tolerances");
+    }
+    if(!m_positions->has_unknowns() && has_moved)
+      return end(run.flips == 0 ? Status::success : Status::unreachable_constraints, "all vertices are fixed");
+    if(summary.iterations - run.first_iteration >= m_options.max_iterations)
+      return end(Status::iteration_limit, "the limit of iterations is reached");
+    if(internal::wall_seconds() - run.time_begin >= m_options.max_seconds)
+      return end(Status::time_limit, "the limit of time is reached");
+    return false;
+  }
+
+  const Splitting_report& report(Run& run) const
+  {
+    run.report.iteration = run.summary.iterations;
+    run.report.seconds = internal::wall_seconds() - run.time_begin;
+    run.report.energy = run.summary.energy;
+    run.report.factorizations = run.summary.factorizations;
+    run.report.flips = run.flips;
+    return run.report;
+  }
+
+  bool is_within_tolerances(const Run& run) const
+  {
+    return run.report.primal_error <= m_primal_tolerance && run.report.dual_error <= m_dual_tolerance;
+  }
+
+  // The global step: draws the map to the rotations and stretches.
+  bool move_positions(Run& run)
+  {
+    if(!m_positions->has_unknowns())
+      return true;
+    if(!run.is_factorized && !m_positions->factorize(m_solver, [this](std::int64_t e) { return m_elements[e].penalty; })) {
+      finish(run.summary, Status::linear_solver_failed, "no factorization succeeded, not even of a strongly shifted matrix");
+      return false;
+    }
+    run.is_factorized = true;
+    if(!m_positions->move(
+         m_solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, run.x)) {
+      finish(run.summary, Status::linear_solver_failed, "the linear solver found no positions");
+      return false;
+    }
+    return true;
+  }
+
+  // The local step: draws rotations and stretches to the map.
+  void update_elements(Run& run)
+  {
+    ++run.summary.iterations;
+    const bool adapts = run.summary.iterations == run.next_adaptation;
+    const internal::Phase_timer timer(run.summary.seconds.assemble);
+    const auto update = [&](std::int64_t e, Splitting_errors& sums) {
+      m_step.update(m_domain.jacobian(e, run.x), m_domain.measures[e], adapts, m_is_inert, m_elements[e], sums);
+    };
+    const Splitting_errors errors = m_schedule.template accumulate<Tag, Splitting_errors>(update);
+    run.report.primal_error = std::sqrt(errors.primal);
+    run.report.dual_error = std::sqrt(errors.dual);
+    m_primal_tolerance = m_options.absolute_tolerance + m_options.relative_tolerance * std::sqrt(errors.primal_scale);
+    m_dual_tolerance = m_options.absolute_tolerance + m_options.relative_tolerance * std::sqrt(errors.dual_scale);
+    run.flips = errors.flips;
+    run.is_factorized = run.is_factorized && errors.adapted == 0;
+  }
+
+  // After an adaptation of the penalties: when the next one is due.
+  void schedule_adaptation(Run& run) const
+  {
+    if(run.summary.iterations != run.next_adaptation)
+      return;
+    ++run.adaptations;
+    if(run.adaptations < m_options.first_adaptations) {
+      run.next_adaptation = run.summary.iterations + 1;
       return;
     }
+    run.next_adaptation = run.summary.iterations + run.interval;
+    // Where flips remain penalties must go on rising.
+    if(run.flips == 0 || 2 * run.interval <= m_options.largest_interval_with_flips)
+      run.interval *= 2;
+  }
 
-    Splitting_report report;
-    Positions<D> flip_free; // the last iterate without flips in floating point, if the present one has some
-    if(flips == 0)
-      flip_free = x;
-    bool is_factorized = is_warm && m_is_factorized;
-    // Penalties of the run before are about right.
-    int adaptations = is_warm ? m_options.first_adaptations : 0, interval = m_options.adaptation_interval;
-    int next_adaptation = first_iteration + (is_warm ? interval : 1);
-    for(;;) {
-      const bool wants_energy = m_options.observer || std::isfinite(m_options.target_energy);
-      if(wants_energy)
-        summary.energy = flips == 0 ? energy(x) : std::numeric_limits<double>::infinity();
-      if(m_options.observer) {
-        report.iteration = summary.iterations;
-        report.seconds = internal::wall_seconds() - time_begin;
-        report.energy = summary.energy;
-        report.factorizations = summary.factorizations;
-        report.flips = flips;
-        if(!m_options.observer(report)) {
-          finish(summary, Status::stopped_by_observer, "the observer asked to stop");
-          break;
-        }
-      }
-      if(flips == 0) {
-        if(m_options.stop_when_flip_free) {
-          finish(summary, Status::success, "no element is flipped");
-          break;
-        }
-        if(wants_energy && summary.energy <= m_options.target_energy) {
-          finish(summary, Status::success, "the target energy is reached");
-          break;
-        }
-        if(summary.iterations > first_iteration && report.primal_error <= m_primal_tolerance && report.dual_error <= m_dual_tolerance) {
-          finish(summary, Status::success, "both errors are within their tolerances");
-          break;
-        }
-      }
-      if(!positions.has_unknowns() && summary.iterations > first_iteration) {
-        finish(summary, flips == 0 ? Status::success : Status::unreachable_constraints, "all vertices are fixed");
-        break;
-      }
-      if(summary.iterations - first_iteration >= m_options.max_iterations) {
-        finish(summary, Status::iteration_limit, "the limit of iterations is reached");
-        break;
-      }
-      if(internal::wall_seconds() - time_begin >= m_options.max_seconds) {
-        finish(summary, Status::time_limit, "the limit of time is reached");
-        break;
-      }
-
-      if(positions.has_unknowns()) {
-        if(!is_factorized && !positions.factorize(m_solver, [this](std::int64_t e) { return m_elements[e].penalty; })) {
-          finish(summary, Status::linear_solver_failed, "no factorization succeeded, not even of a strongly shifted matrix");
-          break;
-        }
-        is_factorized = true;
-        if(!positions.move(
-             m_solver, [this](std::int64_t e) { return Step::pull(m_elements[e]); }, x)) {
-          finish(summary, Status::linear_solver_failed, "the linear solver found no positions");
-          break;
-        }
-      }
-      ++summary.iterations;
-      const bool adapt = summary.iterations == next_adaptation;
-      {
-        const internal::Phase_timer timer(summary.seconds.assemble);
-        const Splitting_errors errors = for_each_element<Splitting_errors>([&](std::int64_t e, Splitting_errors& sums) {
-          m_step.update(m_domain.jacobian(e, x), m_domain.measures[e], adapt, m_is_inert, m_elements[e], sums);
-        });
-        report.primal_error = std::sqrt(errors.primal);
-        report.dual_error = std::sqrt(errors.dual);
-        m_primal_tolerance = m_options.absolute_tolerance + m_options.relative_tolerance * std::sqrt(errors.primal_scale);
-        m_dual_tolerance = m_options.absolute_tolerance + m_options.relative_tolerance * std::sqrt(errors.dual_scale);
-        flips = errors.flips;
-        is_factorized = is_factorized && errors.adapted == 0;
-      }
-      if(adapt) {
-        ++adaptations;
-        if(adaptations < m_options.first_adaptations)
-          next_adaptation = summary.iterations + 1;
-        else {
-          next_adaptation = summary.iterations + interval;
-          // Where flips remain penalties must go on rising.
-          if(flips == 0 || 2 * interval <= m_options.largest_interval_with_flips)
-            interval *= 2;
-        }
-      }
-      if(flips == 0) {
-        // Determinants in floating point may be wrong where exact predicates are not.
-        if(m_options.stop_when_flip_free || wants_energy ||
-           (report.primal_error <= m_primal_tolerance && report.dual_error <= m_dual_tolerance))
-          flips = this->flips(x, summary);
-        flip_free = x;
-      }
-    }
-    conclude(flip_free, x, summary);
-    m_is_warm = summary.is_valid();
-    m_is_factorized = is_factorized;
+  void keep_if_flip_free(Run& run) const
+  {
+    if(run.flips != 0)
+      return;
+    // Determinants in floating point may be wrong where exact predicates are not.
+    if(m_options.stop_when_flip_free || run.wants_energy || is_within_tolerances(run))
+      run.flips = flips(run.x, run.summary);
+    run.flip_free = run.x;
   }
 
   // Certifies the last iterate, or the last one without flips, and measures it.
@@ -373,69 +406,25 @@ private:
     }
     summary.energy = energy(x);
     const internal::Phase_timer timer(summary.seconds.certify);
-    const Range range = for_each_element<Range>([&](std::int64_t e, Range& sums) {
-      const internal::Vector<D> s = internal::signed_singular_values(m_domain.jacobian(e, x));
-      sums.low = (std::min)(sums.low, s[D - 1]);
-      sums.high = (std::max)(sums.high, s[0]);
-    });
-    summary.min_singular_value = range.low;
-    summary.max_singular_value = range.high;
+    std::tie(summary.min_singular_value, summary.max_singular_value) = internal::singular_value_range<Tag>(m_domain, m_schedule, x);
   }
 
   void polish(Positions<D>& x, Summary& summary) const
   {
     const std::string splitting = "splitting, " + std::to_string(summary.iterations) + " iterations: " + summary.message;
     summary.start += summary.start.empty() ? splitting : ", then " + splitting;
-    const Summary before = summary;
-    Positions<D> polished = x;
-    Map_minimizer<D, Traits> minimizer(m_domain, m_traits, m_constraints);
-    minimizer.minimize(polished, summary);
-    summary.energy_initial = before.energy_initial;
-    if(summary.is_valid()) {
-      x = polished;
-      return;
-    }
-    // The splitting's own map is as valid as before.
-    const std::string message = "not polished: " + summary.message;
-    summary = before;
-    summary.message += "; " + message;
+    const double energy_initial = summary.energy_initial;
+    polish_map<Map_minimizer<D, Traits>>(m_domain, m_traits, m_constraints, x, summary);
+    summary.energy_initial = energy_initial;
   }
-
-  struct Range
-  {
-    double low = std::numeric_limits<double>::infinity();
-    double high = 0;
-
-    Range& operator+=(const Range& other)
-    {
-      low = (std::min)(low, other.low);
-      high = (std::max)(high, other.high);
-      return *this;
-    }
-  };
-
-  struct Sum
-  {
-    double value = 0;
-
-    Sum& operator+=(const Sum& other)
-    {
-      value += other.value;
-      return *this;
-    }
-  };
 
   // The mean energy of a map without flips.
   double energy(const Positions<D>& x) const
   {
-    const Sum sum = for_each_element<Sum>([&](std::int64_t e, Sum& sums) {
-      const internal::Vector<D> s = internal::signed_singular_values(m_domain.jacobian(e, x));
-      sums.value += m_domain.measures[e] * m_traits.energy.template value<D>(s);
-    });
     double soft = 0;
     for(const Soft_position<D>& position : m_constraints.soft_positions)
       soft += position.weight * (x.col(position.vertex) - position.target).squaredNorm();
-    return sum.value + soft;
+    return internal::mean_energy<Tag>(m_domain, m_schedule, m_traits.energy, x) + soft;
   }
 
   std::int64_t flips(const Positions<D>& x, Summary& summary) const
@@ -446,13 +435,6 @@ private:
 
   // Beyond this share of flipped elements the start says little about the rotations.
   static constexpr double MANY_FLIPS = 0.01;
-  static constexpr std::int64_t CHUNK_SIZE = 512;
-
-  struct Chunk
-  {
-    std::int64_t begin;
-    std::int64_t end;
-  };
 
   const Simplicial_domain<D>& m_domain;
   Traits m_traits;
@@ -461,7 +443,6 @@ private:
   Linear_constraints<D> m_linear_constraints;
   Step m_step;
   internal::Element_coloring m_schedule;
-  std::vector<Chunk> m_chunks;
   std::vector<typename Step::Element> m_elements;
   typename Traits::Linear_solver m_linear_solver;
   internal::Robust_solver<typename Traits::Linear_solver> m_solver;

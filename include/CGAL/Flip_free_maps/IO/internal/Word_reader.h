@@ -8,9 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_IO_INTERNAL_WORD_READER_H
 #define CGAL_FLIP_FREE_MAPS_IO_INTERNAL_WORD_READER_H
 
-#include <CGAL/Flip_free_maps/IO/OBJ.h>
-#include <CGAL/Flip_free_maps/IO/Tetrahedral_mesh.h>
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
 #include <array>
 #include <cmath>

@@ -16,6 +16,8 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace CGAL {
@@ -40,6 +42,26 @@ inline void append_number(std::string& text, long long value)
 {
   char buffer[24];
   text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
+}
+
+// Word of a file in a form that is safe to print in a message.
+inline std::string quoted_word(std::string_view word)
+{
+  std::string result = "'";
+  for(const char c : word.substr(0, 40))
+    result += (c >= ' ' && c <= '~') ? c : '?';
+  return result + (word.size() > 40 ? "...'" : "'");
+}
+
+template <typename Number>
+std::errc parse_number(std::string_view word, Number& value)
+{
+  if(word.size() > 1 && word[0] == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), value);
+  if(result.ec != std::errc())
+    return result.ec;
+  return result.ptr == word.data() + word.size() ? std::errc() : std::errc::invalid_argument;
 }
 
 // Errors that appear only when the last bytes reach the disk are reported by fflush and fclose.

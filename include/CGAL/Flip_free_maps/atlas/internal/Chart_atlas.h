@@ -10,16 +10,23 @@
 
 #include <CGAL/Flip_free_maps/atlas/Unwrap_options.h>
 #include <CGAL/Flip_free_maps/atlas/Unwrap_summary.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_surface.h>
 #include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
 #include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
-#include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -30,6 +37,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -56,6 +64,8 @@ public:
     }
     m_place.assign(m_triangles.size(), -1);
     m_is_unassigned.assign(m_triangles.size(), 0);
+    for(const auto& t : m_triangles)
+      m_area += 0.5 * Vector<3>(m_points.col(t[1]) - m_points.col(t[0])).cross(Vector<3>(m_points.col(t[2]) - m_points.col(t[0]))).norm();
     m_image.assign(m_triangles.size(), Image::Constant(std::numeric_limits<double>::quiet_NaN()));
     std::vector<std::int32_t> others;
     {
@@ -65,6 +75,13 @@ public:
       enqueue_parts(all);
       std::deque<Piece> parts;
       parts.swap(m_queue);
+      if(std::isfinite(m_options.max_distortion)) {
+        for(const Piece& piece : parts)
+          cut_creases(piece);
+        enqueue_parts(all);
+        parts.swap(m_queue);
+        m_queue.clear();
+      }
       for(Piece& piece : parts)
         if(!keep_holes(piece))
           others.insert(others.end(), piece.faces.begin(), piece.faces.end());
@@ -75,10 +92,11 @@ public:
       for(const Mesh::Edge_index edge : m_mesh.edges())
         was_cut.push_back(m_is_cut[edge]);
       Cut_options cut = m_options.cut;
-      cut.target_energy = (std::min)(cut.target_energy, m_options.max_distortion);
+      cut.target_energy = first_target();
       cut.cut_disks = cut.cut_disks || std::isfinite(m_options.max_distortion);
       m_summary.cut = cut_mesh(
-        m_mesh, m_mesh.points(), m_is_cut, [this](Mesh::Edge_index e) { return bool(m_is_feature[e]); }, cut);
+        m_mesh, m_mesh.points(), m_is_cut, [this](Mesh::Edge_index e) { return bool(m_is_feature[e]); }, cut,
+        [this] { return must_stop(); });
       m_summary.cut.seam_length = std::ldexp(m_summary.cut.seam_length, m_exponent);
       for(const Flat_chart& chart : m_charts)
         for(const std::int32_t f : chart.faces)
@@ -90,12 +108,9 @@ public:
     {
       const Phase_timer timer(m_summary.flatten_seconds);
       enqueue_parts(others);
-      while(!m_queue.empty()) {
-        Piece piece = std::move(m_queue.front());
-        m_queue.pop_front();
-        if(!process(piece))
+      while(!m_queue.empty())
+        if(!process_some())
           return false;
-      }
       sort_charts();
     }
     {
@@ -121,9 +136,9 @@ public:
     if(m_is_stopped) {
       m_summary.status = Status::stopped_by_observer;
       m_summary.message = "the observer asked to stop; charts without overlaps were made of what there was";
-    } else if(ended(Status::time_limit)) {
+    } else if(ended(Status::time_limit) || m_is_cut_short) {
       m_summary.status = Status::time_limit;
-      m_summary.message = "the time was up before all charts converged; none overlaps another or itself";
+      m_summary.message = "the time was up before all charts were as good as can be; none overlaps another or itself";
     } else if(ended(Status::iteration_limit)) {
       m_summary.status = Status::iteration_limit;
       m_summary.message = "not all charts converged within the limit of iterations; none overlaps another or itself";
@@ -146,7 +161,7 @@ private:
     Packing_summary packing;
     for(;;) {
       std::size_t chart = 0;
-      pack_flat_charts<Point>(m_charts, m_options.packing, packing, &chart);
+      pack_flat_charts<Point>(m_charts, m_options.packing, packing, &chart, [this] { return must_stop(); });
       if(packing.is_valid())
         break;
       if(packing.status != Status::result_not_representable || ++attempts[chart] > 3 ||
@@ -224,13 +239,21 @@ private:
 
   double remaining_seconds() const { return m_is_stopped ? 0 : (std::max)(0., m_options.max_seconds - (wall_seconds() - m_begin)); }
 
+  // Asks the observer and looks at the clock, while seams are planned and charts are packed; remembers that it cut them short.
+  bool must_stop()
+  {
+    report_progress();
+    m_is_cut_short = m_is_cut_short || remaining_seconds() == 0;
+    return m_is_cut_short;
+  }
+
   bool report_progress()
   {
     if(!m_options.observer || m_is_stopped)
       return !m_is_stopped;
     Unwrap_progress progress;
     progress.charts_done = static_cast<int>(m_charts.size());
-    progress.charts = progress.charts_done + 1 + static_cast<int>(m_queue.size());
+    progress.charts = progress.charts_done + (m_faces_done < m_summary.faces ? 1 : 0) + static_cast<int>(m_queue.size());
     progress.faces_done = m_faces_done;
     progress.faces = m_summary.faces;
     progress.seconds = wall_seconds() - m_begin;
@@ -252,9 +275,10 @@ private:
     };
     std::vector<Point_2> uv(open.points.cols());
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
-    summary = parameterize_patch(open.mesh, border, open.mesh.points(), uv_map, traits,
-                                 [&traits](const Simplicial_domain<2>& domain, const auto&, Positions<2>& start, std::string& name,
-                                           std::string& message) { return make_start(domain, traits, start, name, message); });
+    Planar_solver<Traits> solver{traits};
+    summary = parameterize_patch(
+      open.mesh, border, open.mesh.points(), uv_map, traits.options,
+      [](const auto&, Planar_request&, std::string&) { return Status::success; }, [](Vertex, Vector<2>&) { return false; }, solver);
     x.resize(2, uv.size());
     if(summary.is_valid())
       for(std::size_t v = 0; v < uv.size(); ++v)
@@ -272,61 +296,164 @@ private:
     return x.allFinite();
   }
 
-  // Flattens a piece and keeps it as a chart, or splits it. False when neither is possible.
-  bool process(Piece& piece)
+  // A piece and its map, if it has one, and how good that is.
+  struct Flat_piece
   {
-    report_progress();
-    const double begin = wall_seconds();
-    const Open_piece open = this->open(piece.faces);
-    Chart_summary chart;
-    chart.faces = static_cast<std::int64_t>(piece.faces.size());
+    Open_piece open;
     Positions<2> x;
-    bool is_mapped = false;
-    if(remaining_seconds() == 0 && inherit(piece, open, x)) {
+    Chart_summary chart;
+    bool is_mapped = false, is_inherited = false, is_overlapping = false;
+    std::int32_t worst = -1; // the triangle that is distorted most
+    std::pair<std::int32_t, std::int32_t> overlap;
+  };
+
+  // Flattens the first pieces of the queue, at the same time if there are threads, and keeps them as charts, cuts or splits them
+  // one by one, so that results do not depend on threads. False when none of that is possible.
+  bool process_some()
+  {
+    // Observers see pieces one by one. The number bounds the memory for open pieces.
+    const bool is_observed = m_options.observer || m_traits.options.observer;
+    const std::size_t most = is_observed || !std::is_convertible<typename Traits::Concurrency_tag, CGAL::Parallel_tag>::value ? 1 : 64;
+    std::vector<Piece> pieces;
+    while(!m_queue.empty() && pieces.size() < most) {
+      pieces.push_back(std::move(m_queue.front()));
+      m_queue.pop_front();
+    }
+    report_progress();
+    std::vector<Flat_piece> flat(pieces.size());
+    const auto flatten_one = [&](std::size_t i) { flatten(pieces[i], flat[i]); };
+#ifdef CGAL_LINKED_WITH_TBB
+    if(pieces.size() > 1)
+      tbb::parallel_for(std::size_t(0), pieces.size(), flatten_one);
+    else
+#endif
+      for(std::size_t i = 0; i < pieces.size(); ++i)
+        flatten_one(i);
+    for(std::size_t i = 0; i < pieces.size(); ++i)
+      if(!decide(pieces[i], flat[i]))
+        return false;
+    return true;
+  }
+
+  void flatten(const Piece& piece, Flat_piece& flat)
+  {
+    const double begin = wall_seconds();
+    flat.open = this->open(piece.faces);
+    const Open_piece& open = flat.open;
+    Chart_summary& chart = flat.chart;
+    chart.faces = static_cast<std::int64_t>(piece.faces.size());
+    if(piece.is_part && open.is_mesh && inherit(piece, open, flat.x)) {
+      chart.message = "a part of a larger chart";
+      flat.worst = measure(piece, open, flat.x, chart);
+      flat.is_overlapping = find_overlap(open, flat.x, flat.overlap);
+      flat.is_mapped = chart.energy <= m_options.max_distortion || flat.is_overlapping;
+    }
+    if(flat.is_mapped) {
+      chart.seconds = wall_seconds() - begin;
+      return;
+    }
+    if(remaining_seconds() == 0 && inherit(piece, open, flat.x)) {
       chart.status = m_is_stopped ? Status::stopped_by_observer : Status::time_limit;
       chart.message = "a part of a larger chart, as it was when the time was up";
-      is_mapped = true;
+      flat.is_mapped = true;
     } else if(open.is_mesh) {
-      const Summary summary = flatten_piece(open, x);
+      const Summary summary = flatten_piece(open, flat.x);
       chart.status = summary.status;
       chart.message = summary.message;
       chart.iterations = summary.iterations;
-      is_mapped = summary.is_valid();
-      if(summary.status == Status::out_of_memory || summary.status == Status::invalid_option)
-        return fail(summary.status, summary.message);
-      if((summary.status == Status::not_a_disk || summary.status == Status::no_border) && !piece.was_cut)
-        return cut_again(piece, open);
-      if(!is_mapped && inherit(piece, open, x)) {
-        chart.status = Status::success;
-        chart.message = "a part of a larger chart; not on its own: " + summary.message;
-        is_mapped = true;
-      }
+      flat.is_mapped = summary.is_valid();
+      flat.is_inherited = !flat.is_mapped && inherit(piece, open, flat.x);
     } else {
       chart.status = Status::non_manifold;
       chart.message = "two edges of the chart have the same vertices";
     }
+    if(flat.is_mapped || flat.is_inherited) {
+      flat.worst = measure(piece, open, flat.x, chart);
+      flat.is_overlapping = find_overlap(open, flat.x, flat.overlap);
+    }
     chart.seconds = wall_seconds() - begin;
+  }
 
-    const Chart_splitter splitter(open.elements, open.neighbors, open.points);
-    if(!is_mapped) {
+  bool decide(Piece& piece, Flat_piece& flat)
+  {
+    const Open_piece& open = flat.open;
+    Chart_summary& chart = flat.chart;
+    if(chart.status == Status::out_of_memory || chart.status == Status::invalid_option)
+      return fail(chart.status, chart.message);
+    if((chart.status == Status::not_a_disk || chart.status == Status::no_border) && !piece.was_cut) {
+      Cut_options cut = m_options.cut;
+      cut.branches = Cut_options::Branches::none;
+      piece.was_cut = true;
+      bool is_cut = false;
+      if(!cut_again(piece, open, cut, is_cut))
+        return false;
+      enqueue_parts(piece.faces, piece);
+      return true;
+    }
+    if(flat.is_inherited) {
+      chart.status = Status::success;
+      chart.message = "a part of a larger chart; not on its own: " + chart.message;
+    }
+    if(!flat.is_mapped && !flat.is_inherited) {
       if(piece.faces.size() == 1)
         return fail(chart.status, "face number " + std::to_string(piece.faces[0]) + " cannot be flattened: " + chart.message);
       ++m_summary.splits_of_failures;
-      return split(piece, open, splitter, splitter.far_apart());
+      return split(piece, open, {0, 0});
     }
-    const std::int32_t worst = measure(piece, open, x, chart);
-    std::pair<std::int32_t, std::int32_t> overlap;
-    if(find_overlap(open, x, overlap)) {
+    if(flat.is_overlapping) {
       ++m_summary.splits_of_overlaps;
-      return split(piece, open, splitter, overlap);
+      piece.is_part = std::isfinite(m_options.max_distortion) && chart.energy <= m_options.max_distortion;
+      return split(piece, open, flat.overlap);
     }
     // Without time for flattening a part is as distorted as the whole.
     if(chart.energy > m_options.max_distortion && piece.faces.size() > 1 && remaining_seconds() > 0) {
+      if(piece.recuts < MOST_RECUTS && open.is_mesh && m_options.cut.branches == Cut_options::Branches::extremities) {
+        Cut_options cut = m_options.cut;
+        cut.cut_disks = true;
+        cut.target_energy = piece.target > 0 ? piece.target : first_target();
+        ++piece.recuts;
+        // Less is expected in the proportion of what is wanted to what came out, and less again if that was so already.
+        double factor = CAUTION * (m_options.max_distortion - 1) / (chart.energy - 1);
+        bool is_cut = false;
+        for(int i = 0; i < MOST_RECUTS && !is_cut; ++i, factor = 0.5) {
+          cut.target_energy = 1 + factor * (cut.target_energy - 1);
+          if(!cut_again(piece, open, cut, is_cut))
+            return false;
+        }
+        piece.target = cut.target_energy;
+        if(is_cut) {
+          enqueue_parts(piece.faces, piece);
+          return true;
+        }
+      }
       ++m_summary.splits_of_distortion;
-      return split(piece, open, splitter, {worst, splitter.farthest_from(worst)});
+      piece.is_part = false;
+      return split(piece, open, {flat.worst, -1});
     }
-    keep(piece, open, x, chart);
+    if(is_too_long(piece, flat.x)) {
+      ++m_summary.splits_of_length;
+      piece.is_part = true;
+      return split(piece, open, {0, 0});
+    }
+    keep(piece, open, flat.x, chart);
     return true;
+  }
+
+  // The energy that is expected when the surface is cut for the first time. Maps turn out better than that, since their borders
+  // are free; those that do not are cut again.
+  double first_target() const { return (std::min)(m_options.cut.target_energy, 1 + HOPE * (m_options.max_distortion - 1)); }
+
+  // Whether a chart alone would leave half of the square empty, since it is longer than the side of a square with the area of all.
+  bool is_too_long(const Piece& piece, const Positions<2>& x) const
+  {
+    if(!m_options.pack || !std::isfinite(m_options.max_distortion) || piece.faces.size() < 4 || remaining_seconds() == 0)
+      return false;
+    const Vector<2> direction = direction_of_smallest_box(x);
+    Matrix<2> rotation;
+    rotation << direction[0], direction[1], -direction[1], direction[0];
+    const Vector<2> size = extent(rotation * x);
+    const double length = size.maxCoeff(), width = size.minCoeff();
+    return length > m_options.max_length * std::sqrt(m_area) && length > 2 * width;
   }
 
   // Enters the distortion of a map into the account of a chart, and remembers the map.
@@ -391,8 +518,12 @@ private:
     return true;
   }
 
-  bool split(const Piece& piece, const Open_piece& open, const Chart_splitter& splitter, std::pair<std::int32_t, std::int32_t> seeds)
+  // Splits between two triangles; the second is far from the first if there is none, and both from each other if they are the same.
+  bool split(const Piece& piece, const Open_piece& open, std::pair<std::int32_t, std::int32_t> seeds)
   {
+    const Chart_splitter splitter(open.elements, open.neighbors, open.points);
+    if(seeds.second < 0)
+      seeds.second = splitter.farthest_from(seeds.first);
     if(seeds.first == seeds.second)
       seeds = splitter.far_apart();
     std::vector<Chart_splitter::Edge> edges = splitter.separate(seeds.first, seeds.second);
@@ -403,31 +534,55 @@ private:
       for(int k = 0; k < 3; ++k)
         if(open.neighbors[edge.elements[0]][k] == edge.elements[1])
           mark(m_is_cut, piece.faces[edge.elements[0]], (k + 1) % 3);
-    enqueue_parts(piece.faces);
+    enqueue_parts(piece.faces, piece);
     return true;
   }
 
-  // The parts of a split surface need not be disks.
-  bool cut_again(const Piece& piece, const Open_piece& open)
+  // Cuts a piece of flat and rolled regions between creases.
+  void cut_creases(const Piece& piece)
+  {
+    bool is_any = false;
+    for(std::size_t i = 0; i < piece.faces.size() && !is_any; ++i)
+      for(int k = 0; k < 3; ++k) {
+        const std::int32_t f = piece.faces[i], g = neighbor(f, k);
+        is_any = is_any || (g >= 0 && turning_angle(m_triangles[f], m_triangles[g], m_points) >= m_options.crease_angle);
+      }
+    if(!is_any)
+      return;
+    const Open_piece open = this->open(piece.faces);
+    for(const Chart_creases::Side& side : Chart_creases(open.elements, open.neighbors, open.points, m_options.crease_angle).cuts())
+      mark(m_is_cut, piece.faces[side.first], (side.second + 1) % 3);
+  }
+
+  // The edge of the surface that an edge of a piece was.
+  Mesh::Edge_index original_edge(const Piece& piece, const Open_piece& open, Mesh::Edge_index edge) const
+  {
+    Halfedge h = open.mesh.halfedge(edge, 0);
+    if(open.mesh.is_border(h))
+      h = open.mesh.opposite(h);
+    const std::size_t e = static_cast<std::size_t>(open.mesh.face(h));
+    const auto& element = open.elements[e];
+    const auto k = std::find(element.begin(), element.end(), static_cast<std::int32_t>(open.mesh.target(h))) - element.begin();
+    return m_mesh.edge(m_corners[piece.faces[e]][k]);
+  }
+
+  // Cuts a piece by more seams, and tells whether there are any: the parts of a split surface need not be disks, and the
+  // distortion that was expected is not the true one.
+  bool cut_again(const Piece& piece, const Open_piece& open, const Cut_options& cut, bool& is_cut_anew)
   {
     Mesh mesh = open.mesh;
     Edge_map is_cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:cut", false).first;
-    Cut_options cut = m_options.cut;
-    cut.branches = Cut_options::Branches::none;
     const Cut_summary summary = cut_mesh(
-      mesh, mesh.points(), is_cut, [](Mesh::Edge_index) { return false; }, cut);
+      mesh, mesh.points(), is_cut, [&](Mesh::Edge_index e) { return bool(m_is_feature[original_edge(piece, open, e)]); }, cut,
+      [this] { return must_stop(); });
     if(!summary.is_valid())
       return fail(summary.status, "a part of the surface was not cut open: " + summary.message);
-    for(std::size_t e = 0; e < piece.faces.size(); ++e)
-      for(const Halfedge h : CGAL::halfedges_around_face(mesh.halfedge(Face(static_cast<Mesh::size_type>(e))), mesh))
-        if(is_cut[mesh.edge(h)])
-          for(int k = 0; k < 3; ++k)
-            if(open.elements[e][k] == static_cast<std::int32_t>(mesh.target(h)))
-              mark(m_is_cut, piece.faces[e], k);
-    const std::size_t queued = m_queue.size();
-    enqueue_parts(piece.faces);
-    for(std::size_t i = queued; i < m_queue.size(); ++i)
-      m_queue[i].was_cut = true;
+    is_cut_anew = false;
+    for(const Mesh::Edge_index e : mesh.edges())
+      if(is_cut[e]) {
+        m_is_cut[original_edge(piece, open, e)] = true;
+        is_cut_anew = true;
+      }
     return true;
   }
 
@@ -485,13 +640,19 @@ private:
     m_summary.seam_length = std::ldexp(m_summary.seam_length, m_exponent);
   }
 
+  static constexpr int MOST_RECUTS = 3;
+  // What is expected over what comes out, of energies above 1; and the part of what is wanted that is asked for the second time.
+  static constexpr double HOPE = 3, CAUTION = 0.8;
+
   Traits m_traits;
   const Unwrap_options& m_options;
   std::vector<Image> m_image; // of each face in the last map of it
   std::vector<Flat_chart> m_charts;
   std::vector<double> m_areas; // of the charts on the surface, in the units of m_points
+  double m_area = 0;           // of the surface, likewise
   std::int64_t m_faces_done = 0;
   bool m_is_stopped = false;
+  bool m_is_cut_short = false;
 };
 
 } // namespace internal

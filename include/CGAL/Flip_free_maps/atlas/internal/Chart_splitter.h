@@ -8,7 +8,10 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_SPLITTER_H
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_SPLITTER_H
 
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +20,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -81,7 +85,9 @@ public:
     }
     if(!is_line || ends.size() != 2)
       return meeting;
-    return shortest_way((std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1]));
+    // A way along the border would cut off crumbs.
+    std::vector<Edge> straight = shortest_way((std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1]));
+    return smallest_part(straight) < SMALLEST_PART * smallest_part(meeting) ? meeting : straight;
   }
 
   // The inner edges of a triangle.
@@ -95,6 +101,41 @@ public:
   }
 
 private:
+  static constexpr double CREASE_PREFERENCE = 8;
+  // Of a part that is cut off by a straightened line, over that by the line before.
+  static constexpr double SMALLEST_PART = 0.3;
+
+  // The least area of the parts when the surface is cut along some edges.
+  double smallest_part(const std::vector<Edge>& edges) const
+  {
+    std::set<std::pair<std::int32_t, std::int32_t>> is_cut;
+    for(const Edge& edge : edges)
+      is_cut.insert(std::minmax(edge.elements[0], edge.elements[1]));
+    double smallest = std::numeric_limits<double>::infinity();
+    std::vector<char> is_seen(m_elements.size(), 0);
+    std::vector<std::int32_t> front;
+    for(std::size_t first = 0; first < m_elements.size(); ++first) {
+      if(is_seen[first])
+        continue;
+      double area = 0;
+      is_seen[first] = 1;
+      front.assign(1, static_cast<std::int32_t>(first));
+      while(!front.empty()) {
+        const std::int32_t e = front.back();
+        front.pop_back();
+        const auto& v = m_elements[e];
+        area += 0.5 * Vector<3>(m_points.col(v[1]) - m_points.col(v[0])).cross(Vector<3>(m_points.col(v[2]) - m_points.col(v[0]))).norm();
+        for(const std::int32_t f : m_neighbors[e])
+          if(f >= 0 && !is_seen[f] && is_cut.count(std::minmax(e, f)) == 0) {
+            is_seen[f] = 1;
+            front.push_back(f);
+          }
+      }
+      smallest = (std::min)(smallest, area);
+    }
+    return smallest;
+  }
+
   Vector<3> center(std::int32_t e) const
   {
     const auto& v = m_elements[e];
@@ -103,6 +144,13 @@ private:
 
   using Entry = std::pair<double, std::int32_t>;
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  // How much harder it is to go across a crease than across a flat edge, so that borders of parts come to lie on creases; or
+  // along a flat edge than along a crease.
+  double crease_factor(std::int32_t e, std::int32_t f) const
+  {
+    return 1 + CREASE_PREFERENCE * turning_angle(m_elements[e], m_elements[f], m_points) / CGAL_PI;
+  }
 
   // Lengths of ways over the centres of triangles.
   std::vector<double> distances(std::int32_t seed) const
@@ -118,7 +166,7 @@ private:
         continue;
       for(const std::int32_t e : m_neighbors[entry.second])
         if(e >= 0) {
-          const double distance = entry.first + (center(e) - center(entry.second)).norm();
+          const double distance = entry.first + crease_factor(entry.second, e) * (center(e) - center(entry.second)).norm();
           if(distance < result[e]) {
             result[e] = distance;
             queue.emplace(distance, e);
@@ -153,7 +201,9 @@ private:
       if(entry.first > lengths[v])
         continue;
       for(const auto& way : ways[v]) {
-        const double length = entry.first + (m_points.col(way.first) - m_points.col(v)).norm();
+        const Edge& edge = way.second;
+        const double length =
+          entry.first + (m_points.col(way.first) - m_points.col(v)).norm() / crease_factor(edge.elements[0], edge.elements[1]);
         if(length < lengths[way.first]) {
           lengths[way.first] = length;
           before[way.first] = {v, way.second};

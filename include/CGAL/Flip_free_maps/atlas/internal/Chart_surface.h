@@ -118,6 +118,9 @@ protected:
   {
     std::vector<std::int32_t> faces;
     bool was_cut = false; // whether it has been cut to a disk once more
+    int recuts = 0;       // how often it has been cut because of its distortion
+    double target = 0;    // the energy that was expected of the last cut, 0 for that of all
+    bool is_part = false; // of a chart whose map would do if it were smaller
   };
 
   // A piece, cut open along its seams.
@@ -138,11 +141,14 @@ protected:
     return false;
   }
 
-  void mark(Edge_map& map, std::int32_t face, int k)
+  // Whether the mark is new.
+  bool mark(Edge_map& map, std::int32_t face, int k)
   {
     const Halfedge h = m_corners[face][k];
-    if(!m_mesh.is_border(m_mesh.opposite(h)))
-      map[m_mesh.edge(h)] = true;
+    if(m_mesh.is_border(m_mesh.opposite(h)) || map[m_mesh.edge(h)])
+      return false;
+    map[m_mesh.edge(h)] = true;
+    return true;
   }
 
   // The face across the edge to corner k, -1 at borders and seams.
@@ -153,8 +159,8 @@ protected:
     return !other.is_valid() || m_is_cut[m_mesh.edge(h)] ? -1 : static_cast<std::int32_t>(other);
   }
 
-  // Queues the parts of some faces that are connected across edges that are not cut.
-  void enqueue_parts(const std::vector<std::int32_t>& faces)
+  // Queues the parts of some faces that are connected across edges that are not cut; they inherit all but the faces.
+  void enqueue_parts(const std::vector<std::int32_t>& faces, const Piece& origin)
   {
     for(const std::int32_t f : faces)
       m_is_unassigned[f] = 1;
@@ -162,6 +168,10 @@ protected:
       if(!m_is_unassigned[first])
         continue;
       Piece piece;
+      piece.was_cut = origin.was_cut;
+      piece.recuts = origin.recuts;
+      piece.target = origin.target;
+      piece.is_part = origin.is_part;
       piece.faces.assign(1, first);
       m_is_unassigned[first] = 0;
       for(std::size_t q = 0; q < piece.faces.size(); ++q)
@@ -175,6 +185,8 @@ protected:
       m_queue.push_back(std::move(piece));
     }
   }
+
+  void enqueue_parts(const std::vector<std::int32_t>& faces) { enqueue_parts(faces, Piece()); }
 
   Open_piece open(const std::vector<std::int32_t>& faces)
   {

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_PACK_FLAT_CHARTS_H
 
 #include <CGAL/Flip_free_maps/atlas/Packing_options.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Outline_packer.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Rectangle_packer.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -94,13 +96,56 @@ Positions<2> as_rounded_by(const Positions<2>& x)
   return rounded;
 }
 
-// Moves charts without flips into the unit square: each turned, all scaled alike, bounding boxes apart by the margin. Whatever
-// the charts had, no flips or no overlaps, they have afterwards, in the numbers that the point type can hold; or the status says
+// The places of charts by their outlines, or those of their bounding boxes, whichever allow the larger scale.
+inline std::vector<Outline_place> places_by_outlines(const std::vector<Flat_chart>& charts, const std::vector<Positions<2>>& turned,
+                                                     const Rectangle_packer& boxes, const Packing_options& options,
+                                                     const std::function<bool()>& must_stop, double& scale)
+{
+  // Many small charts hardly have dents for others; and large distances leave none.
+  const std::size_t most_charts = 2000;
+  const double largest_distance = 0.05;
+  std::vector<Outline_place> places;
+  for(const Rectangle_place& place : boxes.places())
+    places.push_back({place.x, place.y, place.is_turned ? 0. : 1., place.is_turned ? 1. : 0.});
+  scale = boxes.scale();
+  if(charts.size() > most_charts || options.distance() > largest_distance)
+    return places;
+  double area = 0;
+  std::vector<Chart_outline> outlines(charts.size());
+  for(std::size_t c = 0; c < charts.size(); ++c) {
+    area += signed_area(charts[c], turned[c]);
+    Border_curves border;
+    if(!border.load(charts[c].elements, static_cast<std::int32_t>(turned[c].cols())))
+      return places;
+    const Eigen::Index n = static_cast<Eigen::Index>(border.edges().size());
+    outlines[c].sources.resize(2, n);
+    outlines[c].targets.resize(2, n);
+    for(Eigen::Index i = 0; i < n; ++i) {
+      outlines[c].sources.col(i) = turned[c].col(border.edges()[i].source);
+      outlines[c].targets.col(i) = turned[c].col(border.edges()[i].target);
+    }
+  }
+  // In the square that is left within the sides' margin.
+  const double side = 1 - options.distance();
+  const int orientations = !options.rotate || charts.size() > 256 ? 4 : charts.size() > 32 ? 8 : 16;
+  Outline_packer packer(outlines, options.distance() / side, orientations);
+  if(packer.pack(scale / side, std::sqrt(1 / area), [&must_stop] { return must_stop && must_stop(); })) {
+    scale = packer.scale() * side;
+    places = packer.places();
+    for(Outline_place& place : places) {
+      place.x = options.distance() / 2 + place.x * side;
+      place.y = options.distance() / 2 + place.y * side;
+    }
+  }
+  return places;
+}
+
+// Moves charts without flips into the unit square: each turned, all scaled alike, apart by the margin. Whatever the charts had, no flips or no overlaps, they have afterwards, in the numbers that the point type can hold; or the status says
 // otherwise and the charts stay as they are. `unrepresentable` receives the number of a chart that the point type is too coarse
 // for.
 template <typename Point>
 void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& options, Packing_summary& summary,
-                      std::size_t* unrepresentable = nullptr)
+                      std::size_t* unrepresentable = nullptr, const std::function<bool()>& must_stop = nullptr)
 {
   summary.charts = static_cast<int>(charts.size());
   if(!options.is_valid(&summary.message)) {
@@ -147,23 +192,21 @@ void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& op
 
   std::vector<Positions<2>> placed(charts.size());
   for(bool is_done = false; !is_done;) {
-    Rectangle_packer packer(sizes, options.margin);
+    Rectangle_packer packer(sizes, options.distance());
     if(!packer.pack()) {
       summary.status = Status::invalid_option;
       summary.message = "the margin leaves no room for " + std::to_string(charts.size()) + " charts in the unit square";
       return;
     }
-    summary.scale = packer.scale();
+    const std::vector<Outline_place> places = places_by_outlines(charts, turned, packer, options, must_stop, summary.scale);
     is_done = true;
     for(std::size_t c = 0; c < charts.size(); ++c) {
-      const Rectangle_place& place = packer.places()[c];
-      Positions<2> x = turned[c];
-      if(place.is_turned) {
-        x.row(0).swap(x.row(1));
-        x.row(0) *= -1;
-      }
+      const Outline_place& place = places[c];
+      Matrix<2> rotation;
+      rotation << place.cosine, -place.sine, place.sine, place.cosine;
+      Positions<2> x = rotation * turned[c];
       x.colwise() -= x.rowwise().minCoeff().eval();
-      x *= packer.scale();
+      x *= summary.scale;
       x.colwise() += Vector<2>(place.x, place.y);
       x = as_rounded_by<Point>(x);
       if(was_bijective[c] ? is_bijective(charts[c].elements, x) : is_flip_free(charts[c], x)) {

@@ -61,7 +61,8 @@ public:
 
   // Cuts open the handles of all pieces, before there are other seams, by loops through a base: the shortest system of loops for
   // the base (Erickson and Whittlesey 2005), for the best of some bases that are far from each other.
-  void open_handles(bool begin_on_borders)
+  template <typename MustStop>
+  void open_handles(bool begin_on_borders, const MustStop& must_stop)
   {
     const std::int32_t pieces = m_opening.number_of_pieces();
     const auto has_handles = [this](std::int32_t piece) { return m_opening.genus_of_piece[piece] > 0; };
@@ -80,7 +81,7 @@ public:
     std::vector<std::vector<std::int32_t>> best(pieces);
     std::vector<double> best_costs(pieces, infinity());
     std::vector<double> distance_to_bases(number_of_nodes(), infinity());
-    for(int trial = 0; trial < NUMBER_OF_BASES; ++trial) {
+    for(int trial = 0; trial == 0 || (trial < NUMBER_OF_BASES && !must_stop()); ++trial) {
       std::vector<std::int32_t> sources;
       std::copy_if(bases.begin(), bases.end(), std::back_inserter(sources), [](std::int32_t b) { return b >= 0; });
       find_distances(sources);
@@ -183,12 +184,15 @@ public:
 
   // Replaces chains of seam edges between branchings by shorter ones. Without a chain the complement is an annulus, which any
   // path from one of its borders to the other cuts to a disk again: the shortest is taken, wherever its ends are.
-  void shorten(int rounds)
+  template <typename MustStop>
+  void shorten(int rounds, const MustStop& must_stop)
   {
     std::fill(m_distances.begin(), m_distances.end(), infinity());
     for(int round = 0; round < rounds; ++round) {
       double gain = 0, total = 0;
       for(const Chain& chain : chains()) {
+        if(must_stop())
+          return;
         total += chain.cost;
         gain += shorten(chain);
       }

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -57,9 +58,11 @@ inline std::vector<double> cut_costs(const Cut_surface& surface, const Cut_optio
 class Cut_planner
 {
 public:
-  Cut_planner(const Cut_surface& surface, const Cut_options& options)
+  // When `must_stop()` tells so, seams are neither improved nor added any more, but those that the topology asks for.
+  Cut_planner(const Cut_surface& surface, const Cut_options& options, const std::function<bool()>& must_stop)
     : m_surface(surface),
       m_options(options),
+      m_must_stop([&must_stop] { return must_stop && must_stop(); }),
       m_opening(surface, surface.is_seam),
       m_costs(cut_costs(surface, options)),
       m_graph(surface, m_opening, m_costs)
@@ -93,6 +96,8 @@ private:
   // Of the excess of the worst place: places above it are reached in the same round.
   static constexpr double PART_OF_WORST = 0.3;
   static constexpr int MOST_ROUNDS = 100;
+  // Of the distortion that is wanted: corners with more are reached.
+  static constexpr double PART_OF_TARGET = 0.02;
   // Of logarithms of scales.
   static constexpr double SMALLEST_PROMINENCE = 0.1;
   // Of peaks of curvature; a corner of a cube has pi / 2, the tip of a limb 2 pi.
@@ -107,8 +112,8 @@ private:
       for(std::int32_t n = 0; n < m_opening.number_of_loops(); ++n)
         if(m_is_active[m_graph.piece_of(n)])
           ends.push_back(n);
-    m_graph.open_handles(m_options.join_borders);
-    m_graph.shorten(ROUNDS_OF_SHORTENING);
+    m_graph.open_handles(m_options.join_borders, m_must_stop);
+    m_graph.shorten(ROUNDS_OF_SHORTENING, m_must_stop);
     switch(m_options.branches) {
     case Cut_options::Branches::none:
       cut_slits();
@@ -124,7 +129,7 @@ private:
       break;
     }
     m_graph.prune();
-    m_graph.shorten(ROUNDS_OF_SHORTENING);
+    m_graph.shorten(ROUNDS_OF_SHORTENING, m_must_stop);
   }
 
   bool may_grow(std::int32_t piece) const
@@ -227,8 +232,14 @@ private:
 
   void reach_extremities(std::vector<std::int32_t>& ends, Cut_summary& summary)
   {
+    if(m_must_stop()) {
+      add_far_pairs(ends);
+      return m_graph.connect(ends);
+    }
     Cut_potential potential(m_surface);
     add_curvature_peaks(potential, ends);
+    if(m_options.branches == Cut_options::Branches::extremities)
+      add_cones(potential, ends);
     add_far_pairs(ends);
     m_graph.connect(ends);
     if(m_options.branches == Cut_options::Branches::extremities)
@@ -257,12 +268,29 @@ private:
     }
   }
 
+  // Corners of coarse meshes, the triangles around which are a large part of the surface.
+  void add_cones(const Cut_potential& potential, std::vector<std::int32_t>& ends)
+  {
+    const std::vector<double> piece_areas = areas_of_pieces();
+    const std::vector<std::int32_t> known = ends;
+    std::vector<char> is_end(m_graph.number_of_nodes(), 0);
+    for(const std::int32_t n : known)
+      is_end[n] = 1;
+    for(std::int32_t v = 0; v < m_surface.number_of_vertices(); ++v) {
+      const std::int32_t n = m_graph.node_of(m_corner_of[v]), p = piece_of_vertex(v);
+      if(m_graph.is_loop(n) || is_end[n] || !may_grow(p))
+        continue;
+      if(potential.cone_excess(v) >= PART_OF_TARGET * (m_options.target_energy - 1) * piece_areas[p])
+        add_point(v, ends);
+    }
+  }
+
   // Round by round the places that would be distorted most.
   void reach_distorted_places(Cut_potential& potential, Cut_summary& summary)
   {
     const std::int32_t pieces = m_opening.number_of_pieces(), vertices = m_surface.number_of_vertices();
     const std::vector<double> piece_areas = areas_of_pieces();
-    for(int round = 0; round < MOST_ROUNDS; ++round) {
+    for(int round = 0; round < MOST_ROUNDS && !m_must_stop(); ++round) {
       std::vector<char> is_fixed(vertices, 0);
       for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_surface.opposite.size()); ++h)
         if(!m_is_active[m_opening.piece_of[h / 3]] || m_graph.is_on_cut(m_graph.node_of(h)))
@@ -301,6 +329,7 @@ private:
 
   const Cut_surface& m_surface;
   const Cut_options& m_options;
+  std::function<bool()> m_must_stop;
   Cut_opening m_opening;
   std::vector<double> m_costs;
   Cut_graph m_graph;
@@ -310,7 +339,8 @@ private:
 };
 
 // Plans the seams of a surface and checks them. On success `is_cut` tells the new seams.
-inline void plan_cuts(const Cut_surface& surface, const Cut_options& options, std::vector<char>& is_cut, Cut_summary& summary)
+inline void plan_cuts(const Cut_surface& surface, const Cut_options& options, std::vector<char>& is_cut, Cut_summary& summary,
+                      const std::function<bool()>& must_stop = nullptr)
 {
   const auto fail = [&summary](Status status, const char* message) {
     summary.status = status;
@@ -323,7 +353,7 @@ inline void plan_cuts(const Cut_surface& surface, const Cut_options& options, st
   summary.borders = whole.number_of_loops();
   summary.genus = std::accumulate(whole.genus_of_piece.begin(), whole.genus_of_piece.end(), 0);
 
-  Cut_planner planner(surface, options);
+  Cut_planner planner(surface, options, must_stop);
   planner.plan(summary);
   is_cut = planner.is_cut();
 

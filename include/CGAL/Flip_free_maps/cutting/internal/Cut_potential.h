@@ -108,6 +108,14 @@ public:
   // long tubes would hide everything else.
   double excess(std::int32_t v) const { return m_areas[v] * (std::cosh(2 * (std::min)(std::abs(m_values[v]), LARGEST_POTENTIAL)) - 1); }
 
+  // The energy above 1, times the area, of the triangles around a vertex that is flattened without a cut to it: their angles are
+  // widened or narrowed to a full turn, which the potential does not see on coarse meshes.
+  double cone_excess(std::int32_t v) const
+  {
+    const double angle = 2 * CGAL_PI - m_curvatures[v];
+    return angle > 0 ? 3 * m_areas[v] * (0.5 * (2 * CGAL_PI / angle + angle / (2 * CGAL_PI)) - 1) : 0;
+  }
+
   // Maxima of the values' magnitudes that are higher by `prominence` than the passes to higher maxima, each with the excess of
   // its surroundings down to the passes; those with the largest excess come first.
   // Vertices where `is_wanted` does not hold are left out.

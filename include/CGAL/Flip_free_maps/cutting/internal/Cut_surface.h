@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CUTTING_INTERNAL_CUT_SURFACE_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/elements/internal/rest_shape.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
@@ -136,19 +137,10 @@ Status load_cut_surface(const TriangleMesh& mesh, const VertexPointMap& vertex_p
     const auto& p = get(vertex_points, vertices[v]);
     surface.points.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]);
   }
-  if(!surface.points.allFinite()) {
-    message = "a coordinate of the mesh is NaN or infinite";
-    return Status::non_finite_input;
-  }
-  // Halves, since the extent may overflow.
-  const Eigen::Vector3d low = surface.points.rowwise().minCoeff() / 2, high = surface.points.rowwise().maxCoeff() / 2;
-  surface.scale = 2 * (high - low).maxCoeff();
-  if(!(surface.scale > 0) || !std::isfinite(surface.scale)) {
-    const bool is_point = !(surface.scale > 0);
-    message = is_point ? "all vertices of the mesh coincide" : "the extent of the mesh exceeds the range of double precision";
-    return is_point ? Status::degenerate_rest_element : Status::non_finite_input;
-  }
-  surface.points = ((surface.points / 2).colwise() - low) / (surface.scale / 2);
+  Eigen::Vector3d low;
+  const Status status = normalize_extent(surface.points, low, surface.scale, message);
+  if(status != Status::success)
+    return status;
   surface.areas.resize(mesh_faces.size());
   Matrix<2> rest_inverse;
   for(std::size_t i = 0; i < mesh_faces.size(); ++i) {

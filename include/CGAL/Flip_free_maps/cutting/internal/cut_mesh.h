@@ -18,6 +18,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -25,9 +26,10 @@ namespace Flip_free_maps {
 namespace internal {
 
 // Cuts the pieces of a mesh open and enters the new seams; writes nothing on failure. `is_feature(e)` says which edges are preferred.
+// Once `must_stop()` holds there are no more seams than are needed, and they are not improved.
 template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsCutMap, typename IsFeature>
 Cut_summary cut_mesh(const TriangleMesh& mesh, const VertexPointMap& vertex_points, EdgeIsCutMap edge_is_cut, const IsFeature& is_feature,
-                     const Cut_options& options)
+                     const Cut_options& options, const std::function<bool()>& must_stop = nullptr)
 {
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   Cut_summary summary;
@@ -45,7 +47,7 @@ Cut_summary cut_mesh(const TriangleMesh& mesh, const VertexPointMap& vertex_poin
     if(summary.status != Status::success)
       return;
     std::vector<char> is_cut;
-    plan_cuts(surface, options, is_cut, summary);
+    plan_cuts(surface, options, is_cut, summary, must_stop);
     if(!summary.is_valid())
       return;
     for(std::size_t e = 0; e < edges.size(); ++e)

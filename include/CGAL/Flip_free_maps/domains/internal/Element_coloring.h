@@ -106,6 +106,33 @@ public:
       });
   }
 
+  // Calls f(element) for all elements; f must not write to anything that elements share.
+  template <typename ConcurrencyTag, typename F>
+  void for_each(F&& f) const
+  {
+    for_each_index<ConcurrencyTag>(m_chunks.size(), [&](std::size_t c) {
+      for(std::int64_t e = m_chunks[c].begin; e < m_chunks[c].end; ++e)
+        f(e);
+    });
+  }
+
+  // What f(element, sums) adds up in `sums`, which begin as Sums() in each chunk and are joined by +=, always in the same order.
+  template <typename ConcurrencyTag, typename Sums, typename F>
+  Sums accumulate(F&& f) const
+  {
+    std::vector<Sums> partial(m_chunks.size());
+    for_each_index<ConcurrencyTag>(m_chunks.size(), [&](std::size_t c) {
+      Sums sums;
+      for(std::int64_t e = m_chunks[c].begin; e < m_chunks[c].end; ++e)
+        f(e, sums);
+      partial[c] = sums;
+    });
+    Sums total;
+    for(const Sums& sums : partial)
+      total += sums;
+    return total;
+  }
+
   // The sum of f(element), always added in the same order.
   template <typename ConcurrencyTag, typename F>
   double sum(F&& f) const

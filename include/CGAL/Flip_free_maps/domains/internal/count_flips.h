@@ -10,9 +10,12 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace CGAL {
@@ -39,6 +42,23 @@ std::int64_t count_flips(const Simplicial_domain<D>& domain, const Element_color
 {
   return static_cast<std::int64_t>(
     schedule.template sum<ConcurrencyTag>([&](std::int64_t e) { return is_positively_oriented<Kernel>(domain.elements[e], x) ? 0. : 1.; }));
+}
+
+// Counts the flips of a map as it will be written, and enters them into the summary. `false`, and the status says so, when there
+// are some that were not there before.
+template <typename Kernel>
+bool certify_flips(const Simplicial_domain<2>& domain, const Positions<2>& written, Summary& summary)
+{
+  const bool allows_flips = summary.flips > 0;
+  summary.flips = domain.number_of_elements();
+  if(written.allFinite())
+    summary.flips = std::count_if(domain.elements.begin(), domain.elements.end(),
+                                  [&](const auto& element) { return !is_positively_oriented<Kernel>(element, written); });
+  if(summary.flips == 0 || allows_flips)
+    return true;
+  summary.status = Status::result_not_representable;
+  summary.message = "elements flip when the map is converted to the number type of the result";
+  return false;
 }
 
 } // namespace internal

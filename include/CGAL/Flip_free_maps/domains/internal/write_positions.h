@@ -40,32 +40,31 @@ Point make_point_2(double x, double y)
     return Point{C(x), C(y)};
 }
 
-// Writes a planar map to the caller's property map if it is still free of flips after conversion to the map's number type; says
-// so in the summary otherwise and leaves the caller's map as it is. Flips that the summary counts already do no harm.
-template <typename Kernel, typename VertexDescriptor, typename VertexUVMap>
-void write_positions(const Simplicial_domain<2>& domain, const std::vector<VertexDescriptor>& vertices, const Positions<2>& x,
-                     VertexUVMap& uv_map, Summary& summary)
+// Converts the positions to the numbers of a property map, and writes them if `certify(written)` accepts them as they will be
+// read, all of them or none.
+template <typename VertexDescriptor, typename VertexUVMap, typename Certify>
+void write_positions(const std::vector<VertexDescriptor>& vertices, const Positions<2>& x, VertexUVMap& uv_map, Certify&& certify)
 {
   using Point = typename boost::property_traits<VertexUVMap>::value_type;
   std::vector<Point> points;
   points.reserve(vertices.size());
-  Positions<2> converted(2, x.cols());
+  Positions<2> written(2, x.cols());
   for(std::size_t v = 0; v < vertices.size(); ++v) {
     points.push_back(make_point_2<Point>(x(0, v), x(1, v)));
-    converted.col(v) << CGAL::to_double(points[v][0]), CGAL::to_double(points[v][1]);
+    written.col(v) << CGAL::to_double(points[v][0]), CGAL::to_double(points[v][1]);
   }
-  Element_coloring schedule;
-  schedule.build(domain.elements, domain.number_of_vertices);
-  const bool allows_flips = summary.flips > 0;
-  summary.flips =
-    converted.allFinite() ? count_flips<Kernel, CGAL::Sequential_tag>(domain, schedule, converted) : domain.number_of_elements();
-  if(summary.flips != 0 && !allows_flips) {
-    summary.status = Status::result_not_representable;
-    summary.message = "elements flip when the map is converted to the number type of the result";
+  if(!certify(written))
     return;
-  }
   for(std::size_t v = 0; v < vertices.size(); ++v)
     put(uv_map, vertices[v], points[v]);
+}
+
+// The same, for a map without flips, unless it had some before.
+template <typename Kernel, typename VertexDescriptor, typename VertexUVMap>
+void write_positions(const Simplicial_domain<2>& domain, const std::vector<VertexDescriptor>& vertices, const Positions<2>& x,
+                     VertexUVMap& uv_map, Summary& summary)
+{
+  write_positions(vertices, x, uv_map, [&](const Positions<2>& written) { return certify_flips<Kernel>(domain, written, summary); });
 }
 
 } // namespace internal

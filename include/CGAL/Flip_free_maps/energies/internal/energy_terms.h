@@ -43,12 +43,12 @@ Eigen::Array<double, D, 1> isochoric_squares(const Vector<D>& s)
 }
 
 // Largest quotient in derivatives: beyond it they stop to grow, so that they neither overflow nor become NaN.
-constexpr double LARGEST_RATIO = 1e50;
+inline constexpr double LARGEST_RATIO = 1e50;
 
 // exp(t) up to t = EXPONENT, continued by its Taylor polynomial of second degree, which is twice differentiable, convex,
 // increasing and does not overflow on starts of high distortion. Next to an element of energy exp(50) ordinary ones are below
 // rounding anyway.
-constexpr double EXPONENT = 50;
+inline constexpr double EXPONENT = 50;
 
 inline double tame_exponential(double t)
 {

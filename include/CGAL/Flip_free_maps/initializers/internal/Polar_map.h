@@ -9,8 +9,9 @@
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_POLAR_MAP_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
 #include <CGAL/Flip_free_maps/initializers/internal/Radial_profile.h>
-#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Laplacian_matrix.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -112,27 +113,15 @@ private:
 
   bool is_at_pole(std::int64_t e) const { return vertex(e, 0) == m_pole || vertex(e, 1) == m_pole || vertex(e, 2) == m_pole; }
 
-  // The Laplacian of the vertices whose `is_free` is set, of the triangles that do not touch the pole if there is one. Positive
+  // The Laplacian of the vertices that are not fixed, of the triangles that do not touch the pole if there is one. Positive
   // weights make an embedding likely. Increments by `turn` along edges are moved to the right-hand side.
   template <typename LinearSolver>
-  bool factorize(const std::vector<char>& is_free, LinearSolver& solver, Eigen::VectorXd& right)
+  bool factorize(const std::vector<std::int32_t>& fixed, LinearSolver& solver, Eigen::VectorXd& right)
   {
     constexpr double SMALLEST_WEIGHT = 0.01;
-    m_unknown.assign(is_free.size(), -1);
-    std::int32_t unknowns = 0;
-    for(std::size_t v = 0; v < is_free.size(); ++v)
-      if(is_free[v])
-        m_unknown[v] = unknowns++;
-    std::vector<std::array<std::int32_t, 2>> pairs;
-    for(const Edge& edge : m_edges)
-      if(is_free[edge.a] && is_free[edge.b])
-        pairs.push_back({m_unknown[edge.a], m_unknown[edge.b]});
-    Block_sparse_matrix matrix;
-    matrix.build_pattern(unknowns, 1, pairs);
-    right.setZero(unknowns);
-    const auto add = [&](std::int32_t i, std::int32_t j, double value) {
-      matrix.add_block(i, j, matrix.slot(i, j), Eigen::Matrix<double, 1, 1>(value));
-    };
+    m_unknowns.assign(m_domain.number_of_vertices, fixed);
+    Laplacian_matrix matrix(m_unknowns, m_domain.elements);
+    right.setZero(m_unknowns.size());
     for(const Edge& edge : m_edges) {
       if(edge.a == m_pole || edge.b == m_pole)
         continue;
@@ -141,27 +130,19 @@ private:
         if(corner >= 0 && !is_at_pole(corner / 3))
           weight += 0.5 * cotangent(corner);
       weight = (std::max)(weight, SMALLEST_WEIGHT);
-      const std::int32_t i = m_unknown[edge.a], j = m_unknown[edge.b];
-      if(i >= 0) {
-        add(i, i, weight);
-        right[i] += weight * edge.turn;
-      }
-      if(j >= 0) {
-        add(j, j, weight);
-        right[j] -= weight * edge.turn;
-      }
-      if(i >= 0 && j >= 0)
-        add(i, j, -weight);
+      matrix.add_edge(edge.a, edge.b, weight);
+      if(!m_unknowns.is_fixed(edge.a))
+        right[m_unknowns[edge.a]] += weight * edge.turn;
+      if(!m_unknowns.is_fixed(edge.b))
+        right[m_unknowns[edge.b]] -= weight * edge.turn;
     }
-    return solver.analyze_pattern(matrix) && solver.factorize(matrix);
+    return matrix.factorize(solver);
   }
 
   void spread(const Eigen::VectorXd& values, Eigen::VectorXd& result) const
   {
-    result.setZero(m_unknown.size());
-    for(std::size_t v = 0; v < m_unknown.size(); ++v)
-      if(m_unknown[v] >= 0)
-        result[v] = values[m_unknown[v]];
+    result.setZero(m_unknowns.number_of_vertices());
+    m_unknowns.for_each([&](std::int32_t v, std::int32_t i) { result[v] = values[i]; });
   }
 
   // The pole is where a particle that moves at random takes longest to reach the border.
@@ -169,25 +150,22 @@ private:
   template <typename MakeLinearSolver>
   bool find_depth(MakeLinearSolver&& make_linear_solver)
   {
-    std::vector<char> is_free(m_domain.number_of_vertices, 1);
-    for(std::int32_t v : m_domain.border)
-      is_free[v] = 0;
     auto solver = make_linear_solver();
     Eigen::VectorXd right, left;
-    if(!factorize(is_free, solver, right) || right.size() == 0)
+    if(!factorize(m_domain.border, solver, right) || right.size() == 0)
       return false;
     for(std::int64_t e = 0; e < m_domain.number_of_elements(); ++e)
       for(std::int32_t v : m_domain.elements[e])
-        if(is_free[v])
-          right[m_unknown[v]] += m_domain.measures[e];
+        if(!m_unknowns.is_fixed(v))
+          right[m_unknowns[v]] += m_domain.measures[e];
     if(!solver.solve(right, left))
       return false;
     spread(left, m_depth);
     m_depth.maxCoeff(&m_pole);
-    right = Eigen::VectorXd::Unit(right.size(), m_unknown[m_pole]);
+    right = Eigen::VectorXd::Unit(right.size(), m_unknowns[m_pole]);
     if(!solver.solve(right, left))
       return false;
-    spread(left / left[m_unknown[m_pole]], m_depth);
+    spread(left / left[m_unknowns[m_pole]], m_depth);
     m_depth = 1 - m_depth.array();
     return m_depth.allFinite();
   }
@@ -228,11 +206,9 @@ private:
   bool find_angle(MakeLinearSolver&& make_linear_solver)
   {
     // Any vertex may have angle 0.
-    std::vector<char> is_free(m_domain.number_of_vertices, 1);
-    is_free[m_pole] = is_free[m_domain.border.front()] = 0;
     auto solver = make_linear_solver();
     Eigen::VectorXd right, left;
-    if(!factorize(is_free, solver, right) || !solver.solve(right, left))
+    if(!factorize({m_pole, m_domain.border.front()}, solver, right) || !solver.solve(right, left))
       return false;
     spread(left, m_angle);
     return m_angle.allFinite();
@@ -275,7 +251,7 @@ private:
   const Simplicial_domain<2>& m_domain;
   std::vector<Edge> m_edges;
   std::vector<std::size_t> m_edge_of; // corners
-  std::vector<std::int32_t> m_unknown;
+  Unknowns m_unknowns;
   std::int32_t m_pole = -1;
   Eigen::VectorXd m_depth, m_angle;
   Radial_profile m_profile;

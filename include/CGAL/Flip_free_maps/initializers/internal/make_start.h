@@ -8,14 +8,14 @@
 #ifndef CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_MAKE_START_H
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_MAKE_START_H
 
+#include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/initializers/internal/unfold_developable.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
-#include <cstdint>
 #include <string>
 
 namespace CGAL {
@@ -23,19 +23,12 @@ namespace Flip_free_maps {
 namespace internal {
 
 // Whether no element is flipped, and few are distorted much.
-template <typename Kernel>
+template <typename Traits>
 bool is_unfolded(const Simplicial_domain<2>& domain, const Positions<2>& x)
 {
   constexpr double LARGEST_ENERGY = 1.5;
-  double energy = 0;
-  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
-    if(!is_positively_oriented<Kernel>(domain.elements[e], x))
-      return false;
-    const Matrix<2> jacobian = domain.jacobian(e, x);
-    const double square = jacobian.squaredNorm(), determinant = jacobian.determinant();
-    energy += domain.measures[e] * 0.25 * (square + square / (determinant * determinant));
-  }
-  return energy <= LARGEST_ENERGY;
+  const Map_measure<2, typename Traits::Kernel, typename Traits::Concurrency_tag> measure(domain);
+  return measure.number_of_flips(x) == 0 && measure.mean_energy(Symmetric_dirichlet(), x) <= LARGEST_ENERGY;
 }
 
 // The start that `Traits::start` asks for. Where one kind fails the other is tried, if fallbacks are allowed.
@@ -51,7 +44,7 @@ Status make_start(const Simplicial_domain<2>& domain, const Traits& traits, Posi
   if(traits.start.unfold) {
     unfold_developable(domain, x);
     // A surface that is not quite developable may tear.
-    if(is_unfolded<typename Traits::Kernel>(domain, x)) {
+    if(is_unfolded<Traits>(domain, x)) {
       name = "unfolded";
       return Status::success;
     }

@@ -9,7 +9,8 @@
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_UNIFORM_EXTENSION_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Laplacian_matrix.h>
 
 #include <Eigen/Core>
 
@@ -28,14 +29,8 @@ template <int D, typename LinearSolver>
 bool uniform_extension(const Simplicial_domain<D>& domain, const std::vector<std::int32_t>& fixed_vertices, LinearSolver&& solver,
                        Positions<D>& x)
 {
-  std::vector<std::int32_t> row(domain.number_of_vertices, 0);
-  for(std::int32_t v : fixed_vertices)
-    row[v] = -1;
-  std::int32_t rows = 0;
-  for(std::int32_t& r : row)
-    if(r == 0)
-      r = rows++;
-  if(rows == 0)
+  const Unknowns row(domain.number_of_vertices, fixed_vertices);
+  if(row.size() == 0)
     return true;
 
   std::vector<std::array<std::int32_t, 2>> edges;
@@ -47,35 +42,21 @@ bool uniform_extension(const Simplicial_domain<D>& domain, const std::vector<std
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 
-  std::vector<std::array<std::int32_t, 2>> stencils;
-  stencils.reserve(edges.size());
-  for(const auto& edge : edges)
-    stencils.push_back({row[edge[0]], row[edge[1]]});
-  Block_sparse_matrix matrix;
-  matrix.build_pattern(rows, 1, stencils);
-  Eigen::Matrix<double, Eigen::Dynamic, D> right = Eigen::Matrix<double, Eigen::Dynamic, D>::Zero(rows, D);
+  Laplacian_matrix matrix(row, edges);
+  Eigen::Matrix<double, Eigen::Dynamic, D> right = Eigen::Matrix<double, Eigen::Dynamic, D>::Zero(row.size(), D);
   for(const auto& edge : edges) {
-    for(int i = 0; i < 2; ++i) {
-      const std::int32_t r = row[edge[i]];
-      if(r < 0)
-        continue;
-      matrix.diagonal(r) += 1;
-      if(row[edge[1 - i]] < 0)
-        right.row(r) += x.col(edge[1 - i]).transpose();
-    }
-    const std::int32_t r = row[edge[0]], c = row[edge[1]];
-    if(r >= 0 && c >= 0)
-      matrix.add_block(r, c, matrix.slot(r, c), Eigen::Matrix<double, 1, 1>(-1));
+    matrix.add_edge(edge[0], edge[1], 1);
+    for(int i = 0; i < 2; ++i)
+      if(!row.is_fixed(edge[i]) && row.is_fixed(edge[1 - i]))
+        right.row(row[edge[i]]) += x.col(edge[1 - i]).transpose();
   }
-  if(!solver.analyze_pattern(matrix) || !solver.factorize(matrix))
+  if(!matrix.factorize(solver))
     return false;
   for(int c = 0; c < D; ++c) {
     Eigen::VectorXd left;
     if(!solver.solve(right.col(c), left))
       return false;
-    for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
-      if(row[v] >= 0)
-        x(c, v) = left[row[v]];
+    row.for_each([&](std::int32_t v, std::int32_t r) { x(c, v) = left[r]; });
   }
   return true;
 }

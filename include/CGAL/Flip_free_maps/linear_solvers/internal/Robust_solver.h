@@ -23,25 +23,44 @@ namespace Flip_free_maps {
 namespace internal {
 
 // A linear solver that does not give up: when the factorization fails, Eigen's LDL^T is tried on the same matrix, then a growing
-// multiple of the diagonal is added. All work is entered into a Summary.
+// multiple of the diagonal is added. All work is entered into the Summary of the innermost Reporting that lives.
 template <typename LinearSolver>
 class Robust_solver
 {
 public:
+  // As long as this lives, work is entered into a summary of the caller's, which need not live longer.
+  class Reporting
+  {
+  public:
+    Reporting(Robust_solver& solver, Summary& summary) : m_solver(solver), m_before(solver.m_summary)
+    {
+      m_solver.m_summary = &summary;
+      m_solver.report();
+    }
+
+    ~Reporting() { m_solver.m_summary = m_before; }
+
+    Reporting(const Reporting&) = delete;
+    Reporting& operator=(const Reporting&) = delete;
+
+  private:
+    Robust_solver& m_solver;
+    Summary* m_before;
+  };
+
   explicit Robust_solver(LinearSolver& solver) : m_solver(solver) {}
 
-  Robust_solver(LinearSolver& solver, Summary& summary) : m_solver(solver), m_summary(&summary) {}
+  Robust_solver(const Robust_solver&) = delete;
+  Robust_solver& operator=(const Robust_solver&) = delete;
 
-  // Work is entered into `summary` from now on.
-  void set_summary(Summary& summary)
-  {
-    m_summary = &summary;
-    report();
-  }
+  [[nodiscard]] Reporting report_to(Summary& summary) { return Reporting(*this, summary); }
 
+  // May be called again, for another matrix.
   bool analyze_pattern(const Block_sparse_matrix& matrix)
   {
     const Phase_timer timer(m_summary->seconds.analyze);
+    m_fallback.reset();
+    m_fallback_is_current = false;
     if(!m_solver.analyze_pattern(matrix) && !analyze_fallback(matrix))
       return false;
     report();
@@ -127,7 +146,8 @@ private:
   }
 
   LinearSolver& m_solver;
-  Summary* m_summary = nullptr;
+  Summary m_unread; // takes what nobody asked for
+  Summary* m_summary = &m_unread;
   std::unique_ptr<Eigen_simplicial_solver> m_fallback;
   bool m_fallback_is_current = false;
 };

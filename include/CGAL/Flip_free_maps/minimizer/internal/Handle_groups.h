@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/elements/Signed_svd.h>
+#include <CGAL/Flip_free_maps/internal/Disjoint_sets.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -20,7 +21,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,27 +37,21 @@ public:
   template <typename IsHandle>
   Handle_groups(const Simplicial_domain<D>& domain, IsHandle&& is_handle)
   {
-    std::vector<std::int32_t> parent(domain.number_of_vertices);
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&parent](std::int32_t v) {
-      while(parent[v] != v)
-        v = parent[v] = parent[parent[v]];
-      return v;
-    };
+    Disjoint_sets sets(domain.number_of_vertices);
     for(const auto& element : domain.elements) {
       std::int32_t first = -1;
       for(std::int32_t v : element) {
         if(!is_handle(v))
           continue;
         if(first >= 0)
-          parent[(std::max)(root(v), root(first))] = (std::min)(root(v), root(first));
+          sets.unite(v, first);
         first = v;
       }
     }
     std::map<std::int32_t, std::vector<std::int32_t>> groups;
     for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
       if(is_handle(v))
-        groups[root(v)].push_back(v);
+        groups[sets.root(v)].push_back(v);
     for(auto& group : groups)
       m_groups.push_back(std::move(group.second));
   }

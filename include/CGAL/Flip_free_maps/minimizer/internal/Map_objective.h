@@ -9,9 +9,11 @@
 #define CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_MAP_OBJECTIVE_H
 
 #include <CGAL/Flip_free_maps/constraints/Objective_term.h>
+#include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_batch.h>
+#include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
 #include <CGAL/Flip_free_maps/elements/Increment_form.h>
 #include <CGAL/Flip_free_maps/elements/Signed_svd.h>
 #include <CGAL/Flip_free_maps/elements/internal/project_to_psd.h>
@@ -63,21 +65,12 @@ public:
   const Element_coloring& schedule() const { return m_schedule; }
 
   // Chooses the vertices that are no unknowns.
-  void fix(const std::vector<std::int32_t>& vertices)
-  {
-    m_rows.assign(m_domain.number_of_vertices, 0);
-    for(std::int32_t v : vertices)
-      m_rows[v] = -1;
-    m_number_of_unknowns = 0;
-    for(std::int32_t& row : m_rows)
-      if(row == 0)
-        row = m_number_of_unknowns++;
-  }
+  void fix(const std::vector<std::int32_t>& vertices) { m_unknowns.assign(m_domain.number_of_vertices, vertices); }
 
   // Vertices that are not fixed.
-  std::int32_t number_of_unknowns() const { return m_number_of_unknowns; }
+  std::int32_t number_of_unknowns() const { return m_unknowns.size(); }
 
-  bool is_fixed(std::int32_t v) const { return m_rows[v] < 0; }
+  bool is_fixed(std::int32_t v) const { return m_unknowns.is_fixed(v); }
 
   // What is minimised along with the energy of the elements. A null pointer is no term.
   void add_term(std::shared_ptr<const Objective_term<D>> term)
@@ -89,7 +82,7 @@ public:
   // Whether the whole map can move as a rigid body without any change of the objective.
   bool is_rigid_motion_invariant() const
   {
-    bool is_invariant = m_number_of_unknowns == m_domain.number_of_vertices;
+    bool is_invariant = m_unknowns.size() == m_domain.number_of_vertices;
     for(const auto& term : m_terms)
       is_invariant = is_invariant && term->is_rigid_motion_invariant();
     return is_invariant;
@@ -102,25 +95,20 @@ public:
     for(const auto& term : m_terms)
       for(std::vector<std::int32_t>& stencil : term->stencils()) {
         for(std::int32_t& v : stencil)
-          v = m_rows[v];
+          v = m_unknowns[v];
         term_stencils.push_back(std::move(stencil));
       }
-    if(m_number_of_unknowns == m_domain.number_of_vertices) {
-      m_matrix.build_pattern(m_number_of_unknowns, D, m_domain.elements, term_stencils);
-    } else {
-      std::vector<Element> stencils = m_domain.elements;
-      for(Element& stencil : stencils)
-        for(std::int32_t& v : stencil)
-          v = m_rows[v];
-      m_matrix.build_pattern(m_number_of_unknowns, D, stencils, term_stencils);
-    }
+    if(m_unknowns.size() == m_domain.number_of_vertices)
+      m_matrix.build_pattern(m_unknowns.size(), D, m_domain.elements, term_stencils);
+    else
+      m_matrix.build_pattern(m_unknowns.size(), D, m_unknowns.of(m_domain.elements), term_stencils);
     m_slots.resize(m_domain.elements.size());
     m_schedule.template scatter<Tag>([this](std::int64_t e) {
       const Element& v = m_domain.elements[e];
       int p = 0;
       for(int a = 0; a <= D; ++a)
         for(int b = a + 1; b <= D; ++b, ++p)
-          m_slots[e][p] = is_fixed(v[a]) || is_fixed(v[b]) ? 0 : m_matrix.slot(m_rows[v[a]], m_rows[v[b]]);
+          m_slots[e][p] = is_fixed(v[a]) || is_fixed(v[b]) ? 0 : m_matrix.slot(m_unknowns[v[a]], m_unknowns[v[b]]);
     });
   }
 
@@ -128,21 +116,15 @@ public:
   const Block_sparse_matrix& matrix() const { return m_matrix; }
 
   // Numbers of an element's vertices among the unknowns, -1 for fixed ones.
-  Element unknowns_of_element(std::int64_t e) const
-  {
-    Element unknowns = m_domain.elements[e];
-    for(std::int32_t& v : unknowns)
-      v = m_rows[v];
-    return unknowns;
-  }
+  Element unknowns_of_element(std::int64_t e) const { return m_unknowns.of(m_domain.elements[e]); }
 
   // The unknowns among the positions.
   void gather(const Positions<D>& x, Eigen::VectorXd& unknowns) const
   {
-    unknowns.resize(D * std::int64_t(m_number_of_unknowns));
+    unknowns.resize(D * std::int64_t(m_unknowns.size()));
     for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
       if(!is_fixed(v))
-        unknowns.template segment<D>(D * std::int64_t(m_rows[v])) = x.col(v);
+        unknowns.template segment<D>(D * std::int64_t(m_unknowns[v])) = x.col(v);
   }
 
   // A displacement of all vertices from one of the unknowns.
@@ -153,7 +135,7 @@ public:
       if(is_fixed(v))
         displacement.col(v).setZero();
       else
-        displacement.col(v) = unknowns.template segment<D>(D * std::int64_t(m_rows[v]));
+        displacement.col(v) = unknowns.template segment<D>(D * std::int64_t(m_unknowns[v]));
     }
   }
 
@@ -199,7 +181,7 @@ public:
   // Gradient in the unknowns and, when asked, the matrix.
   void derivatives(const Reference& reference, const Positions<D>& x, bool with_matrix, Eigen::VectorXd& gradient)
   {
-    gradient.setZero(D * std::int64_t(m_number_of_unknowns));
+    gradient.setZero(D * std::int64_t(m_unknowns.size()));
     if(with_matrix)
       m_matrix.set_zero();
     m_schedule.template scatter_chunks<Tag>([&](std::int64_t begin, std::int64_t end) {
@@ -214,19 +196,25 @@ public:
     if(m_terms.empty())
       return;
     Positions<D> term_gradient = Positions<D>::Zero(D, m_domain.number_of_vertices);
-    Term_matrix<D> term_matrix(m_matrix, m_rows);
+    Term_matrix<D> term_matrix(m_matrix, m_unknowns.numbers());
     for(const auto& term : m_terms)
       term->add_derivatives(x, term_gradient, with_matrix ? &term_matrix : nullptr);
+    m_terms_keep_to_stencils = !term_matrix.has_refused();
     Eigen::VectorXd unknowns;
     gather(term_gradient, unknowns);
     gradient += unknowns;
   }
 
+  static constexpr const char* FOREIGN_BLOCK = "the matrix of a term has a block of two vertices that share none of its stencils";
+
+  // Whether the last derivatives had no block of a term outside its stencils.
+  bool terms_keep_to_stencils() const { return m_terms_keep_to_stencils; }
+
   // The product of the preconditioner's matrix on all vertices, fixed or not, with a displacement of all vertices: its rows of
   // unknowns. No matrix is formed. Terms do not enter.
   void multiply(const Reference& reference, const Positions<D>& x, const Positions<D>& displacement, Eigen::VectorXd& product) const
   {
-    product.setZero(D * std::int64_t(m_number_of_unknowns));
+    product.setZero(D * std::int64_t(m_unknowns.size()));
     m_schedule.template scatter<Tag>([&](std::int64_t e) {
       const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
       const Evaluation at_x = evaluate(rest_inverse, x, e);
@@ -325,11 +313,7 @@ public:
   // Smallest and largest signed singular value over all elements.
   std::pair<double, double> singular_value_range(const Positions<D>& x) const
   {
-    const double low =
-      m_schedule.template minimum<Tag>([&](std::int64_t e) { return signed_singular_values(m_domain.jacobian(e, x))[D - 1]; });
-    const double high =
-      -m_schedule.template minimum<Tag>([&](std::int64_t e) { return -signed_singular_values(m_domain.jacobian(e, x))[0]; });
-    return {low, high};
+    return internal::singular_value_range<Tag>(m_domain, m_schedule, x);
   }
 
 private:
@@ -384,9 +368,9 @@ private:
     const Element& v = m_domain.elements[e];
     for(int k = 0; k < D; ++k)
       if(!is_fixed(v[k + 1]))
-        gradient.template segment<D>(D * std::int64_t(m_rows[v[k + 1]])) += forces.col(k);
+        gradient.template segment<D>(D * std::int64_t(m_unknowns[v[k + 1]])) += forces.col(k);
     if(!is_fixed(v[0]))
-      gradient.template segment<D>(D * std::int64_t(m_rows[v[0]])) -= forces.rowwise().sum();
+      gradient.template segment<D>(D * std::int64_t(m_unknowns[v[0]])) -= forces.rowwise().sum();
   }
 
   // The elements around each vertex.
@@ -443,12 +427,12 @@ private:
     const Element& v = m_domain.elements[e];
     int p = 0;
     for(int a = 0; a <= D; ++a) {
-      const std::int32_t r = m_rows[v[a]];
+      const std::int32_t r = m_unknowns[v[a]];
       if(r >= 0)
         m_matrix.add_block(r, r, 0, blocks[a][a]);
       for(int b = a + 1; b <= D; ++b, ++p)
         if(r >= 0 && !is_fixed(v[b]))
-          m_matrix.add_block(r, m_rows[v[b]], m_slots[e][p], blocks[a][b]);
+          m_matrix.add_block(r, m_unknowns[v[b]], m_slots[e][p], blocks[a][b]);
     }
   }
 
@@ -472,9 +456,9 @@ private:
   const Energy& m_energy;
   const Preconditioner& m_preconditioner;
   Element_coloring m_schedule;
-  std::vector<std::int32_t> m_rows; // number of each vertex among the unknowns, -1 for a fixed one
-  std::int32_t m_number_of_unknowns = 0;
+  Unknowns m_unknowns;
   std::vector<std::shared_ptr<const Objective_term<D>>> m_terms;
+  bool m_terms_keep_to_stencils = true;
   Block_sparse_matrix m_matrix;
   std::vector<std::array<std::int32_t, PAIRS>> m_slots;
   std::vector<std::int64_t> m_star_begin; // among m_stars, for each vertex

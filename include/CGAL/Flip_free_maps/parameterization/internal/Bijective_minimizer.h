@@ -16,6 +16,7 @@
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Scaffold.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/number_utils.h>
@@ -37,6 +38,8 @@ namespace internal {
 template <typename Traits>
 class Bijective_minimizer
 {
+  using Minimizer = typename Traits::template Minimizer<2, Traits>;
+
 public:
   // Keeps references to `domain` and `constraints`.
   Bijective_minimizer(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints)
@@ -123,7 +126,7 @@ private:
   {
     const Phase_timer timer(summary.seconds.certify);
     summary.is_bijective = is_bijective(m_domain, x);
-    return summary.is_bijective == 1;
+    return *summary.is_bijective;
   }
 
   bool embed(Positions<2>& x, Summary& summary) const
@@ -224,7 +227,7 @@ private:
     traits.options.target_energy = -std::numeric_limits<double>::infinity();
     set_options(traits.options, summary, STEPS, m_weight * energy, true);
     Positions<2> y = scaffold.positions();
-    Map_minimizer<2, Traits>(extended, traits, constraints).minimize(y, summary);
+    Minimizer(extended, traits, constraints).minimize(y, summary);
     if(summary.is_valid()) {
       x = y.leftCols(m_domain.number_of_vertices);
       if(!m_is_throttled)
@@ -244,7 +247,7 @@ private:
   const Simplicial_domain<2>& m_domain;
   const Traits m_traits;
   const Position_constraints<2>& m_constraints;
-  Map_minimizer<2, Traits> m_minimizer;
+  Minimizer m_minimizer;
   int m_first_iteration = 0;
   double m_time_end = 0;
   double m_weight = WEIGHT;
@@ -252,41 +255,32 @@ private:
   bool m_is_throttled = false;
 };
 
-// How `parameterize_patch()` minimises and certifies when the map is to be injective, if `is_wanted` says so at run time.
-struct Bijective_minimization
+// The same as `solve_planar()`, but the map is to be injective as a whole where the request says so.
+template <typename Traits>
+void solve_bijectively(const Planar_request& request, Traits& traits, Positions<2>& x, Summary& summary)
 {
-  bool is_wanted;
-  bool keeps_start;
-
-  template <typename Traits, typename Start>
-  void minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
-                Positions<2>& x, Summary& summary) const
-  {
-    if(!is_wanted)
-      start_and_minimize(domain, traits, constraints, start, x, summary);
-    else if(start())
-      Bijective_minimizer<Traits>(domain, traits, constraints).minimize(x, keeps_start, summary);
+  if(!request.is_bijective) {
+    solve_planar(request, traits, x, summary);
+    return;
   }
+  adapt_to_developable(request.domain, traits);
+  if(make_requested_start(request, traits, x, summary))
+    Bijective_minimizer<Traits>(request.domain, traits, request.constraints).minimize(x, request.keeps_start, summary);
+}
 
-  // Whether the map is still injective in the numbers that the user receives.
-  template <typename Point>
-  bool certify(const Simplicial_domain<2>& domain, const Positions<2>& x, Summary& summary) const
-  {
-    if(!is_wanted)
-      return true;
-    Positions<2> converted(2, x.cols());
-    for(Eigen::Index v = 0; v < x.cols(); ++v) {
-      const Point p = make_point_2<Point>(x(0, v), x(1, v));
-      converted.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]);
-    }
-    summary.is_bijective = is_bijective(domain, converted, &summary.message);
-    if(summary.is_bijective == 1)
-      return true;
-    summary.status = Status::not_bijective;
-    summary.message = "the map overlaps itself when it is converted to the number type of the result: " + summary.message;
-    return false;
-  }
-};
+// Whether a map is still injective, where the request says so, in the numbers that the user receives.
+template <typename Traits>
+bool certify_injective(const Planar_request& request, const Traits&, const Positions<2>& written, Summary& summary)
+{
+  if(!request.is_bijective)
+    return true;
+  summary.is_bijective = is_bijective(request.domain, written, &summary.message);
+  if(*summary.is_bijective)
+    return true;
+  summary.status = Status::not_bijective;
+  summary.message = "the map overlaps itself when it is converted to the number type of the result: " + summary.message;
+  return false;
+}
 
 } // namespace internal
 } // namespace Flip_free_maps

@@ -8,91 +8,56 @@
 #ifndef CGAL_FLIP_FREE_MAPS_PARAMETERIZATION_INTERNAL_PARAMETERIZE_PATCH_H
 #define CGAL_FLIP_FREE_MAPS_PARAMETERIZATION_INTERNAL_PARAMETERIZE_PATCH_H
 
-#include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
-#include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
-#include <CGAL/Flip_free_maps/initializers/internal/adapt_to_developable.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
-#include <CGAL/Flip_free_maps/internal/parallel_invoke.h>
-#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
+#include <CGAL/Flip_free_maps/method/Map_options.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/Planar_request.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
-#include <boost/property_map/property_map.hpp>
+#include <boost/graph/graph_traits.hpp>
 
-#include <string>
-#include <type_traits>
-#include <utility>
+#include <cstdint>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-template <typename Minimizer, typename = void>
-struct Has_analyze : std::false_type
-{};
-
-template <typename Minimizer>
-struct Has_analyze<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().analyze(std::declval<Summary&>()))>> : std::true_type
-{};
-
-// Makes a start by `start()`, which tells whether it succeeded, and minimises. The pattern of the matrix does not depend on the
-// start, so both are found at the same time; but not where the start may be the solution.
-template <typename Traits, typename Start>
-void start_and_minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
-                        Positions<2>& x, Summary& summary)
+// The functions that flatten by a method, traits or another, among which overloads choose.
+template <typename Method, bool IsBijective = false>
+struct Planar_solver
 {
-  using Minimizer = Map_minimizer<2, Traits>;
-  Minimizer minimizer(domain, traits, constraints);
-  bool is_started = false;
-  if constexpr(Has_analyze<Minimizer>::value) {
-    if(traits.start.unfold) {
-      is_started = start();
-    } else {
-      Summary analysis;
-      parallel_invoke<typename Traits::Concurrency_tag>([&] { is_started = start(); }, [&] { minimizer.analyze(analysis); });
-      summary.seconds.analyze += analysis.seconds.analyze;
-      summary.seconds.assemble += analysis.seconds.assemble;
-    }
-  } else {
-    is_started = start();
-  }
-  if(is_started)
-    minimizer.minimize(x, summary);
-}
+  Method& method;
 
-// How to minimise when the image may overlap itself: flips are all that matters.
-struct Free_minimization
-{
-  template <typename Traits, typename Start>
-  void minimize(const Simplicial_domain<2>& domain, const Traits& traits, const Position_constraints<2>& constraints, Start&& start,
-                Positions<2>& x, Summary& summary) const
+  void solve(const Planar_request& request, Positions<2>& x, Summary& summary)
   {
-    start_and_minimize(domain, traits, constraints, start, x, summary);
+    if constexpr(IsBijective)
+      solve_bijectively(request, method, x, summary);
+    else
+      solve_planar(request, method, x, summary);
   }
 
-  template <typename Point>
-  bool certify(const Simplicial_domain<2>&, const Positions<2>&, Summary&) const
+  bool certify(const Planar_request& request, const Positions<2>& written, Summary& summary)
   {
-    return true;
+    if constexpr(IsBijective)
+      if(!certify_injective(request, method, written, summary))
+        return false;
+    return certify_planar(request, method, written, summary);
   }
 };
 
-// From a mesh in memory to a written, certified uv map. `make_start(domain, vertices, x, name, message)` computes the start,
-// after `constrain(graph, constraints, message)` has entered what is asked of the map. `traits` are adapted to the surface
-// before. Fixed vertices keep their positions exactly: `exact_position(v, p)` gives them in the user's units, or returns false
-// where there are none. `minimization` is like `Free_minimization`.
-template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart, typename Constrain,
-          typename ExactPosition, typename Minimization = Free_minimization>
+// From a mesh in memory to a written, certified uv map. `prepare(graph, request, message)` enters what is asked of the map,
+// `solver` is a `Planar_solver`. Fixed vertices keep their positions exactly: `exact_position(v, p)` gives them in the user's units, or returns false where there are none.
+template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Prepare, typename ExactPosition, typename Solver>
 Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                           const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start,
-                           Constrain&& constrain, ExactPosition&& exact_position, const Minimization& minimization = Minimization())
+                           const VertexPointMap& vertex_points, VertexUVMap uv_map, const Map_options& options, Prepare&& prepare,
+                           ExactPosition&& exact_position, Solver&& solver)
 {
   Summary summary;
   const auto run = [&] {
     const Phase_timer total(summary.seconds.total, &summary.cpu_seconds);
-    if(!traits.options.is_valid(&summary.message)) {
+    if(!options.is_valid(&summary.message)) {
       summary.status = Status::invalid_option;
       return;
     }
@@ -106,47 +71,27 @@ Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_trait
     const Simplicial_domain<2>& domain = graph.domain();
     summary.vertices = domain.number_of_vertices;
     summary.elements = domain.number_of_elements();
-    adapt_to_developable(domain, traits);
-
-    Position_constraints<2> constraints;
-    summary.status = constrain(graph, constraints, summary.message);
+    Planar_request request(domain);
+    summary.status = prepare(graph, request, summary.message);
     if(summary.status != Status::success)
       return;
-
     Positions<2> x;
-    const auto start = [&] {
-      const Phase_timer timer(summary.seconds.start);
-      summary.status = make_start(domain, graph.vertices(), x, summary.start, summary.message);
-      return summary.status == Status::success;
-    };
-    minimization.minimize(domain, traits, constraints, start, x, summary);
+    solver.solve(request, x, summary);
     if(!summary.is_valid())
       return;
 
     const Phase_timer timer(summary.seconds.certify);
     x *= domain.scale;
-    for(std::int32_t v : constraints.fixed_vertices) {
+    for(std::int32_t v : request.constraints.fixed_vertices) {
       Vector<2> p;
       if(exact_position(graph.vertices()[v], p))
         x.col(v) = p;
     }
-    if(!minimization.template certify<typename boost::property_traits<VertexUVMap>::value_type>(domain, x, summary))
-      return;
-    write_positions<typename Traits::Kernel>(domain, graph.vertices(), x, uv_map, summary);
+    write_positions(graph.vertices(), x, uv_map, [&](const Positions<2>& written) { return solver.certify(request, written, summary); });
   };
   catch_out_of_memory(run, summary);
   summary.peak_memory_mb = peak_memory_mb();
   return summary;
-}
-
-// The same without constraints.
-template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Traits, typename MakeStart>
-Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                           const VertexPointMap& vertex_points, VertexUVMap uv_map, Traits& traits, MakeStart&& make_start)
-{
-  return parameterize_patch(
-    mesh, border_halfedge, vertex_points, uv_map, traits, make_start, [](auto&, auto&, std::string&) { return Status::success; },
-    [](auto, auto&) { return false; });
 }
 
 } // namespace internal

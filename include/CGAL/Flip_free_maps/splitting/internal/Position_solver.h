@@ -11,6 +11,8 @@
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
+#include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
+#include <CGAL/Flip_free_maps/internal/Disjoint_sets.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/splitting/Linear_constraints.h>
@@ -41,22 +43,13 @@ public:
                   const Linear_constraints<D>& linear_constraints)
     : m_domain(domain), m_schedule(schedule), m_constraints(constraints), m_linear(linear_constraints)
   {
-    const std::int32_t n = domain.number_of_vertices;
-    m_row.assign(n, 0);
-    for(std::int32_t v : constraints.fixed_vertices)
-      m_row[v] = -1;
-    for(std::int32_t& row : m_row)
-      if(row == 0)
-        row = m_number_of_rows++;
-    m_stencils.resize(domain.elements.size());
-    for(std::size_t e = 0; e < m_stencils.size(); ++e)
-      for(int i = 0; i <= D; ++i)
-        m_stencils[e][i] = m_row[domain.elements[e][i]];
-    m_matrix.build_pattern(m_number_of_rows, 1, m_stencils);
+    m_row.assign(domain.number_of_vertices, constraints.fixed_vertices);
+    m_stencils = m_row.of(domain.elements);
+    m_matrix.build_pattern(m_row.size(), 1, m_stencils);
     find_floating_components();
   }
 
-  bool has_unknowns() const { return m_number_of_rows > 0; }
+  bool has_unknowns() const { return m_row.size() > 0; }
 
   template <typename Solver>
   bool analyze_pattern(Solver& solver) const
@@ -110,17 +103,13 @@ public:
       force.col(soft.vertex) += 2 * soft.weight * (soft.target - x.col(soft.vertex));
 
     for(int c = 0; c < D; ++c) {
-      m_right.resize(m_number_of_rows);
-      for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
-        if(m_row[v] >= 0)
-          m_right[m_row[v]] = force(c, v);
+      m_right.resize(m_row.size());
+      m_row.for_each([&](std::int32_t v, std::int32_t row) { m_right[row] = force(c, v); });
       if(!solver.solve(m_right, m_left))
         return false;
       if(!m_linear.empty())
         satisfy_constraints(c, x);
-      for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
-        if(m_row[v] >= 0)
-          x(c, v) += m_left[m_row[v]];
+      m_row.for_each([&](std::int32_t v, std::int32_t row) { x(c, v) += m_left[row]; });
     }
     return true;
   }
@@ -138,30 +127,19 @@ private:
   // Components of the mesh without a fixed vertex or a soft position: one row of each is pinned.
   void find_floating_components()
   {
-    m_component.resize(m_domain.number_of_vertices);
-    for(std::size_t v = 0; v < m_component.size(); ++v)
-      m_component[v] = static_cast<std::int32_t>(v);
+    m_components.assign(m_domain.number_of_vertices);
     for(const Element& element : m_domain.elements)
-      for(std::int32_t v : element) {
-        const std::int32_t a = root(v), b = root(element[0]);
-        m_component[a < b ? b : a] = a < b ? a : b;
-      }
-    std::vector<char> is_held(m_component.size(), 0);
+      for(std::int32_t v : element)
+        m_components.unite(v, element[0]);
+    std::vector<char> is_held(m_domain.number_of_vertices, 0);
     for(std::int32_t v : m_constraints.fixed_vertices)
-      is_held[root(v)] = 1;
+      is_held[m_components.root(v)] = 1;
     for(const Soft_position<D>& soft : m_constraints.soft_positions)
       if(soft.weight > 0)
-        is_held[root(soft.vertex)] = 1;
+        is_held[m_components.root(soft.vertex)] = 1;
     for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
-      if(root(v) == v && !is_held[v])
+      if(m_components.root(v) == v && !is_held[v])
         m_pins.push_back(m_row[v]);
-  }
-
-  std::int32_t root(std::int32_t v)
-  {
-    while(m_component[v] != v)
-      v = m_component[v] = m_component[m_component[v]];
-    return v;
   }
 
   // The Schur complement of the constraints, with the translations t of floating components as further unknowns: for an increment
@@ -173,17 +151,17 @@ private:
     const Eigen::Index m = m_linear.matrix.rows(), k = m_pins.size();
     if(m == 0)
       return true;
-    m_coefficients.setZero(m, m_number_of_rows);
-    for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
-      if(m_row[v] >= 0)
-        for(Eigen::SparseMatrix<double>::InnerIterator entry(m_linear.matrix, v); entry; ++entry)
-          m_coefficients(entry.row(), m_row[v]) = entry.value();
-    m_translations.setZero(m_number_of_rows, k);
+    m_coefficients.setZero(m, m_row.size());
+    m_row.for_each([&](std::int32_t v, std::int32_t row) {
+      for(Eigen::SparseMatrix<double>::InnerIterator entry(m_linear.matrix, v); entry; ++entry)
+        m_coefficients(entry.row(), row) = entry.value();
+    });
+    m_translations.setZero(m_row.size(), k);
     for(Eigen::Index i = 0; i < k; ++i)
       for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
-        if(m_row[v] >= 0 && m_row[root(v)] == m_pins[i])
+        if(m_row[v] >= 0 && m_row[m_components.root(v)] == m_pins[i])
           m_translations(m_row[v], i) = 1;
-    m_responses.resize(m_number_of_rows, m);
+    m_responses.resize(m_row.size(), m);
     for(Eigen::Index i = 0; i < m; ++i) {
       m_right = m_coefficients.row(i).transpose();
       if(!solver.solve(m_right, m_left))
@@ -214,11 +192,10 @@ private:
   const Position_constraints<D>& m_constraints;
   const Linear_constraints<D>& m_linear;
 
-  std::vector<std::int32_t> m_row; // of each vertex, -1 for fixed ones
-  std::int32_t m_number_of_rows = 0;
+  Unknowns m_row;                                          // of each vertex
   std::vector<std::array<std::int32_t, D + 1>> m_stencils; // rows of the elements' vertices
-  std::vector<std::int32_t> m_component;                   // union-find
-  std::vector<std::int32_t> m_pins;                        // rows
+  Disjoint_sets m_components;
+  std::vector<std::int32_t> m_pins; // rows
   Block_sparse_matrix m_matrix;
   Eigen::Matrix<double, D, Eigen::Dynamic> m_force;
   Eigen::VectorXd m_right, m_left;

@@ -155,8 +155,8 @@ Status load_closed_surface(const FaceGraph& surface, const Options& options, con
 {
   if(!options.is_valid(&message))
     return Status::invalid_option;
-  const auto vertex_points = parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                                          get_const_property_map(CGAL::vertex_point, surface));
+  const auto vertex_points = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                                                get_const_property_map(CGAL::vertex_point, surface));
   return closed.load(surface, vertex_points, message);
 }
 

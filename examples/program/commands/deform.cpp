@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#include "deform.h"
+
+#include "../commands.h"
+#include "../splitting.h"
+
+#include "../formats/volume_files.h"
+#include <CGAL/Flip_free_maps/deform.h>
+#include <CGAL/Flip_free_maps/measure_distortion.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <iostream>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+class Deform : public Command
+{
+public:
+  explicit Deform(CLI::App& application)
+  {
+    app = application.add_subcommand("deform", "Deform a planar shape or a solid by handles");
+    app
+      ->add_option("input", m_arguments.input,
+                   "planar mesh, z = const: OFF, OBJ, PLY or STL; tetrahedra: .mesh, .vtu, .node or .ele; or a closed surface, which is "
+                   "filled with tetrahedra first")
+      ->required();
+    app
+      ->add_option("--handles", m_arguments.handles,
+                   "file with lines 'vertex x y [z]', vertices numbered from 0, or 'x y [z] -> x2 y2 [z2]', which means the vertex "
+                   "nearest to x y [z]")
+      ->required();
+    app->add_option("-o,--output", m_arguments.output, "deformed mesh, in a format of the same kind");
+    app->add_option("--start", m_arguments.start, "solids: the same mesh, deformed, to begin with instead of the rest shape");
+    app->add_option("--soft-weight", m_arguments.soft_weight, "solids: pull handles with this weight instead of holding them")
+      ->check(CLI::PositiveNumber);
+    app->add_option("--tikhonov", m_arguments.tikhonov, "solids: added to the diagonal of the matrix")->check(CLI::NonNegativeNumber);
+    app->add_option("--cell-size", m_arguments.cell_size, "closed surfaces: size of tetrahedra over the diagonal of the bounding box")
+      ->check(CLI::Range(0.001, 1.))
+      ->capture_default_str();
+    add_method_options(*app, m_arguments.method);
+    add_picture_options(*app, m_arguments.pictures);
+  }
+
+  int run() override
+  {
+    m_is_volume = is_volume(m_arguments.input);
+    const std::string reason = why_not_available(m_arguments.method, m_is_volume ? 3 : 2);
+    if(!reason.empty()) {
+      std::cerr << "flip_free_maps: " << reason << '\n';
+      return 2;
+    }
+    return run_reported(m_arguments.method, [this](FFM::Summary& summary) { deform(summary); });
+  }
+
+private:
+  static bool is_volume(const std::string& path)
+  {
+    const std::string extension = FFM::internal::lower_case_extension(path);
+    return extension == ".mesh" || extension == ".vtu" || extension == ".node" || extension == ".ele";
+  }
+
+  void deform(FFM::Summary& summary)
+  {
+    if(m_is_volume) {
+      FFM::Tetrahedral_mesh mesh;
+      std::string message;
+      check(FFM::read_volume(m_arguments.input, mesh, &message), message);
+      deform_solid(m_arguments, std::move(mesh), summary);
+      return;
+    }
+    Triangles triangles;
+    read_triangles(m_arguments.input, triangles);
+    if(CGAL::is_closed(triangles.mesh))
+      deform_solid(m_arguments, tetrahedralized(triangles.mesh, m_arguments.cell_size), summary);
+    else
+      deform_planar(triangles, summary);
+  }
+
+  void deform_planar(Triangles& triangles, FFM::Summary& summary)
+  {
+    if(!m_arguments.start.empty() || m_arguments.soft_weight > 0 || m_arguments.tikhonov > 0)
+      throw Failure{Status::invalid_option, "--start, --soft-weight and --tikhonov are for solids"};
+    Mesh& mesh = triangles.mesh;
+    FFM::Positions<2> points(2, triangles.points.size());
+    for(std::size_t i = 0; i < triangles.points.size(); ++i)
+      points.col(i) << triangles.points[i].x(), triangles.points[i].y();
+    std::vector<bool> is_used(triangles.points.size(), false);
+    for(const auto& polygon : triangles.polygons)
+      for(const std::size_t v : polygon)
+        is_used[v] = true;
+    FFM::Handles<2> read;
+    std::string message;
+    check(FFM::read_handles<2>(m_arguments.handles, points, read, &message, is_used), message);
+    std::vector<std::pair<Vertex, Kernel::Point_2>> handles;
+    for(std::size_t i = 0; i < read.vertices.size(); ++i)
+      handles.emplace_back(Vertex(read.vertices[i]), Kernel::Point_2(read.targets(0, i), read.targets(1, i)));
+
+    auto result = mesh.add_property_map<Vertex, Kernel::Point_2>("v:deformed").first;
+    const auto reporter = std::make_shared<Reporter>(m_arguments.method);
+    FFM::Any_map_traits traits = make_traits(m_arguments.method);
+    set_options(m_arguments.method, reporter, traits.options);
+    if(m_arguments.method.is_splitting())
+      summary = FFM::deform(mesh, handles, result, splitting_traits(m_arguments.method, traits));
+    else {
+      summary = FFM::deform(mesh, handles, result, traits);
+      traits.name_choices(summary);
+    }
+    reporter->finish();
+    if(!summary.is_valid())
+      return;
+
+    std::vector<double> distortion;
+    auto distortion_map = mesh.add_property_map<Mesh::Face_index, double>("f:distortion").first;
+    FFM::face_distortions(mesh, result, distortion_map);
+    FFM::Textured_mesh layout;
+    for(const auto face : mesh.faces())
+      distortion.push_back(distortion_map[face]);
+    // Vertices of no triangle stay where they are, and out of the picture.
+    std::vector<int> numbers(triangles.points.size(), -1);
+    for(const auto v : mesh.vertices())
+      if(is_used[v]) {
+        numbers[v] = static_cast<int>(layout.texture.size());
+        layout.texture.push_back({result[v].x(), result[v].y()});
+        triangles.points[v] = Kernel::Point_3(result[v].x(), result[v].y(), triangles.points[v].z());
+      }
+    for(const auto& polygon : triangles.polygons)
+      layout.texture_triangles.push_back({numbers[polygon[0]], numbers[polygon[1]], numbers[polygon[2]]});
+    write_pictures(m_arguments.pictures, m_arguments.input, layout, distortion, summary);
+    // Binary STL has single precision, in which the certificate is lost.
+    if(!m_arguments.output.empty())
+      check(CGAL::IO::write_polygon_soup(m_arguments.output, triangles.points, triangles.polygons,
+                                         CGAL::parameters::stream_precision(17).use_binary_mode(false)),
+            "cannot write " + m_arguments.output);
+  }
+
+  Deform_arguments m_arguments;
+  bool m_is_volume = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> deform_command(CLI::App& app) { return std::make_unique<Deform>(app); }
+
+} // namespace program

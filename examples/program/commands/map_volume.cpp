@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#include "deform.h"
+
+#include "../commands.h"
+#include "../splitting.h"
+
+#include "../formats/volume_files.h"
+#include <CGAL/Flip_free_maps/map_volume.h>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+class Map_volume : public Command
+{
+public:
+  explicit Map_volume(CLI::App& application)
+  {
+    app = application.add_subcommand("map-volume", "Map a solid to another one, whose surface is given");
+    m_arguments.method.energy = "symmetric-gradient";
+    app->add_option("input", m_arguments.input, "tetrahedra: .mesh, .vtu, .node or .ele")->required();
+    app
+      ->add_option("target", m_arguments.handles,
+                   "surface (OFF, OBJ or PLY) whose vertex k is where vertex k of the solid goes, or a file .handles with a line for each "
+                   "vertex on the boundary, as for deform")
+      ->required();
+    app->add_option("-o,--output", m_arguments.output, "the mapped solid: .mesh, .vtu, .node or .ele");
+    app->add_option("--start", m_arguments.start, "the same mesh, mapped, perhaps with flips, instead of the mean of neighbours inside");
+    app->add_option("--energy", m_arguments.method.energy, "what is minimised when the flips are gone")
+      ->check(CLI::IsMember({"symmetric-gradient", "symmetric-dirichlet"}))
+      ->capture_default_str();
+    app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
+    add_limit_options(*app, m_arguments.method);
+    refuse_without_cairo(app->add_option("--png", m_arguments.pictures.png, "draw the solid before and after, coloured by distortion"));
+    app->add_option("--picture-width", m_arguments.pictures.width, "width of the drawing in pixels")
+      ->check(CLI::Range(320, 16000))
+      ->capture_default_str();
+  }
+
+  int run() override
+  {
+    return run_reported(m_arguments.method, [this](FFM::Summary& summary) { map(summary); });
+  }
+
+private:
+  void map(FFM::Summary& summary)
+  {
+    FFM::Tetrahedral_mesh mesh;
+    std::string message;
+    check(FFM::read_volume(m_arguments.input, mesh, &message), message);
+    FFM::Tetrahedral_domain volume;
+    const Status status = volume.load(mesh.points, mesh.tetrahedra, message);
+    if(status != Status::success)
+      throw Failure{status, message};
+
+    std::vector<Kernel::Point_3> result = points_of(mesh);
+    if(!m_arguments.start.empty()) {
+      FFM::Tetrahedral_mesh start;
+      check(FFM::read_volume(m_arguments.start, start, &message), message);
+      check(start.points.size() == mesh.points.size(), m_arguments.start + " has another number of vertices than " + m_arguments.input);
+      result = points_of(start);
+    }
+    const std::vector<std::int32_t> boundary = read_target(mesh, volume, result);
+
+    FFM::Positions<3> x(3, volume.vertices().size());
+    std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
+    for(std::size_t v = 0; v < volume.vertices().size(); ++v) {
+      const Kernel::Point_3& p = result[volume.vertices()[v]];
+      x.col(v) = volume.to_domain(Eigen::Vector3d(p.x(), p.y(), p.z()));
+    }
+    for(std::int32_t v : boundary) {
+      const Kernel::Point_3& p = result[volume.vertices()[v]];
+      exact_places.emplace_back(v, Eigen::Vector3d(p.x(), p.y(), p.z()));
+    }
+    FFM::Repair_options options;
+    options.polish = !m_no_polish;
+    FFM::Any_map_traits traits = make_traits(m_arguments.method);
+    set_limits(m_arguments.method, options);
+    const auto reporter = std::make_shared<Reporter>(m_arguments.method);
+    set_options(m_arguments.method, reporter, traits.options);
+    const FFM::Volume_start start = m_arguments.start.empty() ? FFM::Volume_start::extension : FFM::Volume_start::given;
+    summary = FFM::map_volume(volume.domain(), boundary, x, start, options, traits);
+    reporter->finish();
+    if(!summary.is_valid())
+      return;
+    if(options.polish)
+      traits.name_choices(summary);
+    const Status written = volume.write_back(x, CGAL::make_property_map(result), message, exact_places);
+    if(written != Status::success)
+      throw Failure{written, message};
+    write_solid(m_arguments, mesh, volume, result, summary);
+  }
+
+  static std::vector<Kernel::Point_3> points_of(const FFM::Tetrahedral_mesh& mesh)
+  {
+    std::vector<Kernel::Point_3> result;
+    for(const auto& p : mesh.points)
+      result.emplace_back(p[0], p[1], p[2]);
+    return result;
+  }
+
+  // Enters the places of the vertices that have one, and returns their numbers in the domain.
+  std::vector<std::int32_t> read_target(const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume,
+                                        std::vector<Kernel::Point_3>& result) const
+  {
+    if(FFM::internal::lower_case_extension(m_arguments.handles) == ".handles") {
+      const FFM::Handles<3> read = read_solid_handles(m_arguments.handles, mesh, volume);
+      std::vector<std::int32_t> boundary;
+      for(std::size_t i = 0; i < read.vertices.size(); ++i) {
+        result[read.vertices[i]] = Kernel::Point_3(read.targets(0, i), read.targets(1, i), read.targets(2, i));
+        boundary.push_back(volume.number(read.vertices[i]));
+      }
+      return boundary;
+    }
+    std::vector<Kernel::Point_3> points;
+    std::vector<std::vector<std::size_t>> faces;
+    read_soup(m_arguments.handles, points, faces);
+    check(points.size() <= mesh.points.size(), m_arguments.handles + " has more vertices than " + m_arguments.input);
+    std::vector<std::int32_t> boundary;
+    for(std::size_t v = 0; v < points.size(); ++v) {
+      result[v] = points[v];
+      if(volume.number(v) >= 0)
+        boundary.push_back(volume.number(v));
+    }
+    return boundary;
+  }
+
+  Deform_arguments m_arguments;
+  bool m_no_polish = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> map_volume_command(CLI::App& app) { return std::make_unique<Map_volume>(app); }
+
+} // namespace program

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#include "../commands.h"
+#include "../layout.h"
+#include "../report.h"
+#include "../splitting.h"
+
+#include <CGAL/Flip_free_maps/bijective.h>
+#include <CGAL/Flip_free_maps/parameterize.h>
+
+#include <cmath>
+#include <sstream>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+using Soft_position = std::tuple<Vertex, Kernel::Point_2, double>;
+
+// Numbers in the lines of a file, without comments and empty lines.
+std::vector<std::vector<double>> read_numbers(const std::string& path, std::size_t per_line)
+{
+  std::ifstream in(path);
+  check(bool(in), "cannot open " + path);
+  std::vector<std::vector<double>> rows;
+  int number = 0;
+  for(std::string line; std::getline(in, line);) {
+    ++number;
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<double> row;
+    for(double value; words >> value;)
+      row.push_back(value);
+    check(words.eof() && (row.empty() || row.size() == per_line),
+          path + ", line " + std::to_string(number) + ": " + std::to_string(per_line) + " numbers are expected");
+    if(!row.empty())
+      rows.push_back(row);
+  }
+  return rows;
+}
+
+Vertex vertex_of(double number, const Mesh& mesh, const std::string& path)
+{
+  check(number >= 0 && number < mesh.number_of_vertices() && number == std::floor(number),
+        path + " names a vertex that does not exist: " + std::to_string(number));
+  return Vertex(static_cast<Mesh::size_type>(number));
+}
+
+class Parameterize : public Command
+{
+public:
+  explicit Parameterize(CLI::App& application)
+  {
+    app = application.add_subcommand("parameterize", "Flatten a surface patch, a disk that may have holes, into the plane");
+    add_layout_options(*app, m_layout, "mesh: OFF, OBJ, PLY or STL", "OBJ with texture coordinates, in the units of the surface");
+    add_method_options(*app, m_method);
+    app
+      ->add_option(
+        "--start", m_start,
+        "Tutte embedding, from coarse to fine, or an OBJ of the same mesh with the texture coordinates to begin with; 'auto' is from "
+        "coarse to fine for the default method on large meshes, and either where the other fails")
+      ->capture_default_str();
+    app->add_option("--border", m_border, "border of the start")
+      ->check(CLI::IsMember({"circle", "triangle", "square", "octagon"}))
+      ->capture_default_str();
+    app->add_option("--weights", m_weights, "weights of the start")
+      ->check(CLI::IsMember({"uniform", "mean-value", "cotangent"}))
+      ->capture_default_str();
+    app->add_flag("--flaps", m_place_flaps, "begin with border vertices of a single triangle at their optimum");
+    app->add_option("--fixed", m_fixed, "file with the number of a vertex per line, from 0: these keep their places in the start");
+    app->add_flag("--fix-border", m_fix_border, "the vertices of all borders keep their places in the start");
+    app->add_option("--soft", m_soft,
+                    "file with lines 'vertex u v weight': vertices that are pulled to places, in the units of the surface");
+    app->add_flag("--bijective", m_bijective, "the image must not overlap itself");
+    add_picture_options(*app, m_layout.pictures);
+  }
+
+  int run() override
+  {
+    std::string reason = why_not_available(m_method, 2);
+    if(m_bijective && m_method.is_splitting())
+      reason = "the splitting scheme makes no bijective maps";
+    if(!reason.empty()) {
+      std::cerr << "flip_free_maps: " << reason << '\n';
+      return 2;
+    }
+    return run_reported(m_method, [this](FFM::Summary& summary) { flatten(summary); });
+  }
+
+private:
+  void flatten(FFM::Summary& summary)
+  {
+    Patch patch;
+    read_patch(m_layout.input, patch);
+    const auto reporter = std::make_shared<Reporter>(m_method);
+    if(m_method.is_default()) {
+      FFM::Flip_free_map_traits<> traits;
+      set_options(m_method, reporter, traits.options);
+      summary = flatten(patch, traits);
+    } else {
+      FFM::Any_map_traits traits = make_traits(m_method);
+      set_options(m_method, reporter, traits.options);
+      if(m_method.is_splitting()) {
+        FFM::Splitting_map_traits<FFM::Any_map_traits> splitting = splitting_traits(m_method, traits);
+        summary = flatten(patch, splitting);
+      } else {
+        summary = flatten(patch, traits);
+        traits.name_choices(summary);
+      }
+    }
+    reporter->finish();
+    if(summary.is_valid())
+      write_layout(m_layout, patch, summary);
+  }
+
+  template <typename Traits>
+  FFM::Summary flatten(const Patch& patch, Traits& traits)
+  {
+    const Mesh& mesh = patch.triangles.mesh;
+    FFM::Start_options& start = traits.start;
+    start.weights = m_weights == "mean-value"  ? FFM::Tutte_weights::mean_value
+                    : m_weights == "cotangent" ? FFM::Tutte_weights::cotangent
+                                               : FFM::Tutte_weights::uniform;
+    start.place_flaps = m_place_flaps;
+    const int corners = m_border == "triangle" ? 3 : m_border == "octagon" ? 8 : 0;
+    for(int i = 0; i < corners; ++i)
+      start.polygon.push_back({std::cos(2 * CGAL_PI * i / corners), std::sin(2 * CGAL_PI * i / corners)});
+    start.border = corners > 0 ? FFM::Border_shape::polygon : m_border == "square" ? FFM::Border_shape::square : FFM::Border_shape::circle;
+    if(m_start == "tutte" || (m_start == "auto" && (m_fix_border || !m_fixed.empty())))
+      start.multilevel_size = -1;
+    else if(m_start == "multilevel")
+      start.multilevel_size = 0;
+
+    std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
+    if(!m_fixed.empty())
+      for(const auto& row : read_numbers(m_fixed, 1))
+        is_fixed[vertex_of(row[0], mesh, m_fixed)] = 1;
+    std::vector<Soft_position> soft;
+    if(!m_soft.empty())
+      for(const auto& row : read_numbers(m_soft, 4))
+        soft.emplace_back(vertex_of(row[0], mesh, m_soft), Kernel::Point_2(row[1], row[2]), row[3]);
+
+    const auto constraints = FFM::parameters::border_is_fixed(
+      m_fix_border, FFM::parameters::soft_positions(soft, CGAL::parameters::vertex_is_constrained_map(boost::make_iterator_property_map(
+                                                            is_fixed.begin(), get(boost::vertex_index, mesh)))));
+    if constexpr(std::is_same<Traits, FFM::Splitting_map_traits<FFM::Any_map_traits>>::value)
+      return parameterize(patch, traits, constraints);
+    else
+      return parameterize(patch, traits, FFM::parameters::bijective(m_bijective, constraints));
+  }
+
+  template <typename Traits, typename Parameters>
+  FFM::Summary parameterize(const Patch& patch, const Traits& traits, const Parameters& constraints) const
+  {
+    const Mesh& mesh = patch.triangles.mesh;
+    if(m_start == "auto" || m_start == "tutte" || m_start == "multilevel")
+      return FFM::parameterize(mesh, patch.border, patch.uv, traits, constraints);
+    const std::vector<Kernel::Point_2> given = vertex_texture(m_start, patch.triangles);
+    return FFM::parameterize(
+      mesh, patch.border, patch.uv, traits,
+      FFM::parameters::start_map(boost::make_iterator_property_map(given.begin(), get(boost::vertex_index, mesh)), constraints));
+  }
+
+  Method_arguments m_method;
+  Layout_arguments m_layout;
+  std::string m_start = "auto", m_border = "circle", m_weights = "uniform", m_fixed, m_soft;
+  bool m_place_flaps = false, m_fix_border = false, m_bijective = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> parameterize_command(CLI::App& app) { return std::make_unique<Parameterize>(app); }
+
+} // namespace program

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// Surfaces in files, as plain arrays. CGAL 5.5's readers are not used: that of PLY crashes on coordinates of integer types, those of
+// OFF on files that end early, and all of them allocate whatever a header claims.
+
+#ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_POLYGON_FILE_H
+#define FLIP_FREE_MAPS_PROGRAM_FORMATS_POLYGON_FILE_H
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace program {
+
+// Polygons of any number of corners.
+struct Polygon_file
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::vector<std::size_t>> polygons; // indices into `points`, all valid
+};
+
+// Reads OFF, OBJ, PLY or STL, as the extension says. Returns the empty string, or the reason of a failure, with a line of the file
+// where there is one; `file` is unchanged then. Coordinates are finite except in PLY. Corners of STL at the same place are one point.
+std::string read_polygon_file(const std::string& path, Polygon_file& file);
+
+} // namespace program
+
+#endif // FLIP_FREE_MAPS_PROGRAM_FORMATS_POLYGON_FILE_H

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// Maps to the plane, written and drawn.
+
+#ifndef FLIP_FREE_MAPS_PROGRAM_LAYOUT_H
+#define FLIP_FREE_MAPS_PROGRAM_LAYOUT_H
+
+#include "files.h"
+
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/report/Summary.h>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace program {
+
+// The options of sub-commands that draw a layout.
+struct Picture_arguments
+{
+  std::string svg, png;
+  int width = 1200;
+};
+
+// Before anything is computed, not when the picture is due.
+void refuse_without_cairo(CLI::Option* option);
+
+void add_picture_options(CLI::App& command, Picture_arguments& arguments);
+
+void write_pictures(const Picture_arguments& arguments, const std::string& input, const FFM::Textured_mesh& layout,
+                    const std::vector<double>& distortion, const FFM::Summary& summary);
+
+// The same with a title.
+void write_pictures(const Picture_arguments& arguments, const std::string& title, const FFM::Textured_mesh& layout,
+                    const std::vector<double>& distortion);
+
+// The files of sub-commands that map a patch to the plane.
+struct Layout_arguments
+{
+  std::string input, output;
+  bool unit_square = false;
+  Picture_arguments pictures;
+};
+
+// Those but the pictures' options, which come last.
+void add_layout_options(CLI::App& command, Layout_arguments& arguments, const std::string& input, const std::string& output);
+
+// Writes and draws a map, whatever of it is asked for.
+void write_layout(const Layout_arguments& arguments, Patch& patch, const FFM::Summary& summary);
+
+} // namespace program
+
+#endif // FLIP_FREE_MAPS_PROGRAM_LAYOUT_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PAINTER_H
+#define FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PAINTER_H
+
+#include "Layout_painter.h"
+#include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Rows of the rotation to the axes of the picture: right, up, and towards the viewer.
+inline Eigen::Matrix3d view_axes(const Eigen::Vector3d& direction, const Eigen::Vector3d& up)
+{
+  const Eigen::Vector3d toward = direction.normalized();
+  Eigen::Vector3d right = up.cross(toward);
+  if(!(right.norm() > 1e-6 * up.norm()))
+    right = toward.unitOrthogonal();
+  right.normalize();
+  Eigen::Matrix3d axes;
+  axes << right.transpose(), toward.cross(right).transpose(), toward.transpose();
+  return axes;
+}
+
+// Draws shaded triangles into an image with a depth buffer, by orthographic projection.
+class Surface_raster
+{
+public:
+  Surface_raster(int columns, int rows)
+    : m_columns(columns),
+      m_rows(rows),
+      m_color(std::size_t(columns) * rows, 0xFFFFFF),
+      m_depth(std::size_t(columns) * rows, -std::numeric_limits<float>::infinity())
+  {}
+
+  // Corners in pixels, x to the right, y downwards, z towards the viewer; edges are darkened over `line_width` pixels.
+  void draw(const Eigen::Matrix3d& corners, const Rgb& color, double line_width)
+  {
+    const Eigen::Vector2d a = corners.col(0).head<2>(), b = corners.col(1).head<2>(), c = corners.col(2).head<2>();
+    const double doubled_area = cross(b - a, c - a);
+    if(!(std::abs(doubled_area) > 0))
+      return;
+    const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    const int first_column = (std::max)(0, static_cast<int>(std::floor(low[0] - 0.5)));
+    const int last_column = (std::min)(m_columns - 1, static_cast<int>(std::ceil(high[0] - 0.5)));
+    const int first_row = (std::max)(0, static_cast<int>(std::floor(low[1] - 0.5)));
+    const int last_row = (std::min)(m_rows - 1, static_cast<int>(std::ceil(high[1] - 0.5)));
+    // A barycentric coordinate times these is the distance to an edge.
+    const double heights[3] = {std::abs(doubled_area) / (c - b).norm(), std::abs(doubled_area) / (a - c).norm(),
+                               std::abs(doubled_area) / (b - a).norm()};
+    const std::uint32_t fill = packed(color, 1), line = packed(color, 0.62);
+    for(int j = first_row; j <= last_row; ++j) {
+      for(int i = first_column; i <= last_column; ++i) {
+        const Eigen::Vector2d p(i + 0.5, j + 0.5);
+        const double w[3] = {cross(c - b, p - b) / doubled_area, cross(a - c, p - c) / doubled_area, cross(b - a, p - a) / doubled_area};
+        // The tolerance leaves no holes between neighbors.
+        if(w[0] < -1e-6 || w[1] < -1e-6 || w[2] < -1e-6)
+          continue;
+        const float depth = static_cast<float>(w[0] * corners(2, 0) + w[1] * corners(2, 1) + w[2] * corners(2, 2));
+        const std::size_t pixel = std::size_t(j) * m_columns + i;
+        if(!(depth > m_depth[pixel]))
+          continue;
+        m_depth[pixel] = depth;
+        const double distance = (std::min)({w[0] * heights[0], w[1] * heights[1], w[2] * heights[2]});
+        m_color[pixel] = distance < line_width / 2 ? line : fill;
+      }
+    }
+  }
+
+  // Paints the image, scaled down by `factor`, with its upper left corner at (x, y).
+  void paint(cairo_t* context, double x, double y, int factor)
+  {
+    const int stride = cairo_format_stride_for_width(CAIRO_FORMAT_RGB24, m_columns);
+    std::vector<unsigned char> bytes(std::size_t(stride) * m_rows);
+    for(int j = 0; j < m_rows; ++j)
+      std::copy_n(reinterpret_cast<const unsigned char*>(&m_color[std::size_t(j) * m_columns]), 4 * std::size_t(m_columns),
+                  &bytes[std::size_t(j) * stride]);
+    Cairo_surface image(cairo_image_surface_create_for_data(bytes.data(), CAIRO_FORMAT_RGB24, m_columns, m_rows, stride));
+    cairo_save(context);
+    cairo_translate(context, x, y);
+    cairo_scale(context, 1. / factor, 1. / factor);
+    cairo_set_source_surface(context, image.get(), 0, 0);
+    cairo_pattern_set_filter(cairo_get_source(context), CAIRO_FILTER_GOOD);
+    cairo_paint(context);
+    // The bytes end before the context does.
+    cairo_set_source_rgb(context, 0, 0, 0);
+    cairo_restore(context);
+    cairo_surface_finish(image.get());
+  }
+
+private:
+  static double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+  static std::uint32_t packed(const Rgb& color, double factor)
+  {
+    std::uint32_t result = 0;
+    for(const double c : color)
+      result = (result << 8) | static_cast<std::uint32_t>(std::lround(255 * (std::min)(1., (std::max)(0., c * factor))));
+    return result;
+  }
+
+  int m_columns;
+  int m_rows;
+  std::vector<std::uint32_t> m_color;
+  std::vector<float> m_depth;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // FLIP_FREE_MAPS_PROGRAM_PICTURES_SURFACE_PAINTER_H

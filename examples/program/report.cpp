@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#include "report.h"
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <unistd.h>
+
+namespace program {
+
+int exit_code(Status status) { return FFM::is_valid_map(status) ? 0 : static_cast<int>(status) - static_cast<int>(Status::empty_mesh) + 3; }
+
+std::string exit_codes_text()
+{
+  std::string text = "Exit codes: 0 a valid map was written (converged, or ended by a limit); 2 wrong command line";
+  for(int s = static_cast<int>(Status::empty_mesh); s <= static_cast<int>(Status::not_bijective); ++s)
+    text += "; " + std::to_string(exit_code(static_cast<Status>(s))) + " " + FFM::status_name(static_cast<Status>(s));
+  return text + ".";
+}
+
+void write_json(const std::string& path, const nlohmann::json& json)
+{
+  if(path.empty())
+    return;
+  std::ofstream out(path);
+  // Messages quote names of files, which need not be UTF-8.
+  out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  check(bool(out.flush()), "cannot write " + path);
+}
+
+Reporter::Reporter(const Method_arguments& arguments) : m_quiet(arguments.quiet || !isatty(STDERR_FILENO))
+{
+  if(arguments.trace.empty())
+    return;
+  m_trace.open(arguments.trace);
+  m_trace << "iteration,seconds,energy,gradient_norm,step,flips,factorizations\n";
+  m_trace.precision(17);
+  if(!m_trace)
+    throw Failure{Status::file_error, "cannot write " + arguments.trace};
+}
+
+bool Reporter::operator()(const FFM::Iteration_report& report)
+{
+  if(m_trace.is_open())
+    m_trace << report.iteration << ',' << report.seconds << ',' << report.energy << ',' << report.gradient_norm << ',' << report.step << ','
+            << report.flips << ',' << report.factorizations << '\n';
+  if(!m_quiet)
+    std::fprintf(stderr, "\riteration %d  energy %.8f  gradient %.2e  %.1f s   ", report.iteration, report.energy,
+                 report.characteristic_gradient_norm, report.seconds);
+  return true;
+}
+
+void Reporter::finish()
+{
+  if(!m_quiet)
+    std::fputc('\n', stderr);
+  if(m_trace.is_open() && !m_trace.flush())
+    throw Failure{Status::file_error, "cannot write the trace"};
+}
+
+void set_options(const Method_arguments& arguments, const std::shared_ptr<Reporter>& reporter, FFM::Map_options& options)
+{
+  set_limits(arguments, options);
+  options.memory_budget = arguments.memory_budget * 1024 * 1024 * 1024;
+  options.observer = [reporter](const FFM::Iteration_report& report) { return (*reporter)(report); };
+}
+
+void run_guarded(const Method_arguments& arguments, const std::function<void()>& body,
+                 const std::function<void(Status, const std::string&)>& fail)
+{
+  try {
+#ifdef CGAL_LINKED_WITH_TBB
+    std::unique_ptr<tbb::global_control> control;
+    if(arguments.threads > 0)
+      control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, arguments.threads);
+#else
+    static_cast<void>(arguments);
+#endif
+    body();
+  } catch(const Failure& failure) {
+    fail(failure.status, failure.message);
+  } catch(const std::bad_alloc&) {
+    fail(Status::out_of_memory, "memory was exhausted");
+  } catch(const std::exception& exception) {
+    fail(Status::file_error, exception.what());
+  }
+}
+
+int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json,
+           const std::string& text)
+{
+  try {
+    write_json(arguments.json, json);
+  } catch(const Failure& failure) {
+    std::cerr << "flip_free_maps: " << failure.message << '\n';
+    return exit_code(failure.status);
+  }
+  if(!FFM::is_valid_map(status))
+    std::cerr << "flip_free_maps: " << FFM::status_name(status) << ": " << message << '\n';
+  else if(!arguments.quiet)
+    std::cout << text;
+  return exit_code(status);
+}
+
+int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body)
+{
+  FFM::Summary summary;
+  run_guarded(
+    arguments, [&] { body(summary); },
+    [&](Status status, const std::string& message) {
+      summary.status = status;
+      summary.message = message;
+    });
+  std::ostringstream text;
+  text << summary;
+  return report(arguments, summary.status, summary.message, summary, text.str());
+}
+
+} // namespace program

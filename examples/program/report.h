@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// How a sub-command runs and what it leaves behind besides the map.
+
+#ifndef FLIP_FREE_MAPS_PROGRAM_REPORT_H
+#define FLIP_FREE_MAPS_PROGRAM_REPORT_H
+
+#include "method_arguments.h"
+
+#include <CGAL/Flip_free_maps/report/Summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace program {
+
+// 0 for valid maps; 2 is the command line's; the other statuses follow in their order.
+int exit_code(Status status);
+std::string exit_codes_text();
+
+void write_json(const std::string& path, const nlohmann::json& json);
+
+// What a run leaves behind besides the map.
+class Reporter
+{
+public:
+  explicit Reporter(const Method_arguments& arguments);
+  bool operator()(const FFM::Iteration_report& report);
+  void finish();
+
+private:
+  bool m_quiet;
+  std::ofstream m_trace;
+};
+
+// Sets limits, tolerances and an observer that calls `*reporter`.
+void set_options(const Method_arguments& arguments, const std::shared_ptr<Reporter>& reporter, FFM::Map_options& options);
+
+// Runs `body` on the asked number of threads and hands its failures to `fail`.
+void run_guarded(const Method_arguments& arguments, const std::function<void()>& body,
+                 const std::function<void(Status, const std::string&)>& fail);
+
+// Writes a report, prints it, and returns the exit code.
+int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json,
+           const std::string& text);
+
+// Runs `body` on the asked number of threads, turns failures into a summary, writes it, prints it, and returns the exit code.
+int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body);
+
+} // namespace program
+
+#endif // FLIP_FREE_MAPS_PROGRAM_REPORT_H

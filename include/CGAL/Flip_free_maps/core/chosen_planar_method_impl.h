@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_CORE_CHOSEN_PLANAR_METHOD_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_CORE_CHOSEN_PLANAR_METHOD_IMPL_H
+
+#include <CGAL/Flip_free_maps/core/chosen_method.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/Bijective_minimizer.h>
+#include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void solve_planar(const Planar_request& request, Any_map_traits& method, Positions<2>& x,
+                                                      Summary& summary)
+{
+  solve_planar<Any_map_traits>(request, method, x, summary);
+}
+
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_planar(const Planar_request& request, const Any_map_traits& method,
+                                                        const Positions<2>& written, Summary& summary)
+{
+  return certify_planar<Any_map_traits>(request, method, written, summary);
+}
+
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void solve_bijectively(const Planar_request& request, Any_map_traits& method, Positions<2>& x,
+                                                           Summary& summary)
+{
+  solve_bijectively<Any_map_traits>(request, method, x, summary);
+}
+
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_injective(const Planar_request& request, const Any_map_traits& method,
+                                                           const Positions<2>& written, Summary& summary)
+{
+  return certify_injective<Any_map_traits>(request, method, written, summary);
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_CORE_CHOSEN_PLANAR_METHOD_IMPL_H
