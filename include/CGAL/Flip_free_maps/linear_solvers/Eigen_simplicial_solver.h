@@ -35,6 +35,7 @@ public:
   /// Computes the ordering and the pattern of the factor.
   bool analyze_pattern(const Block_sparse_matrix& matrix)
   {
+    m_factorized = false;
     m_matrix = matrix.lower();
     m_solver.analyzePattern(m_matrix);
     return true;
