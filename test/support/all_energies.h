@@ -33,28 +33,7 @@ namespace FFM = CGAL::Flip_free_maps;
 typedef FFM::Weighted_sum<FFM::Conformal, FFM::Symmetric_gradient> Conformal_with_size;
 
 // Those with a barrier, for tests that need one instantiation for all of them.
-inline std::vector<FFM::Any_energy> energies_with_barrier()
-{
-  FFM::Exponential_symmetric_dirichlet steep;
-  steep.factor = 3;
-  FFM::Neo_hookean rubber;
-  rubber.mu = 0.1;
-  Conformal_with_size sum;
-  sum.second_weight = 0.2;
-  return {FFM::Any_energy(FFM::Symmetric_dirichlet()),
-          FFM::Any_energy(FFM::Exponential_symmetric_dirichlet()),
-          FFM::Any_energy(steep),
-          FFM::Any_energy(FFM::Symmetric_gradient()),
-          FFM::Any_energy(FFM::Symmetric_arap()),
-          FFM::Any_energy(FFM::Hencky()),
-          FFM::Any_energy(FFM::Conformal()),
-          FFM::Any_energy(FFM::Amips()),
-          FFM::Any_energy(FFM::Exponential_amips()),
-          FFM::Any_energy(FFM::Neo_hookean()),
-          FFM::Any_energy(rubber),
-          FFM::Any_energy(FFM::Aigerman_isometric()),
-          FFM::Any_energy(sum)};
-}
+std::vector<FFM::Any_energy> energies_with_barrier();
 
 } // namespace test_support
 

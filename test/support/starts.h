@@ -17,7 +17,6 @@
 #include <CGAL/tags.h>
 
 #include <cstdint>
-#include <string>
 
 namespace test_support {
 
@@ -29,26 +28,10 @@ typedef FFM::Tutte_initializer<CGAL::Exact_predicates_inexact_constructions_kern
 inline FFM::Eigen_simplicial_solver make_eigen_solver() { return FFM::Eigen_simplicial_solver(); }
 
 // The harmless start: a circle with uniform weights. Empty after a failure.
-inline FFM::Positions<2> tutte_start(const FFM::Simplicial_domain<2>& domain)
-{
-  FFM::Positions<2> x;
-  std::string name, message;
-  if(Tutte(FFM::Start_options())(domain, make_eigen_solver, x, name, message) != FFM::Status::success)
-    x.resize(2, 0);
-  return x;
-}
+FFM::Positions<2> tutte_start(const FFM::Simplicial_domain<2>& domain);
 
 // Elements that are not positively oriented, by exact predicates.
-inline std::int64_t number_of_flips(const FFM::Simplicial_domain<2>& domain, const FFM::Positions<2>& x)
-{
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  std::int64_t flips = 0;
-  for(const auto& t : domain.elements) {
-    const auto point = [&x](std::int32_t v) { return Kernel::Point_2(x(0, v), x(1, v)); };
-    flips += CGAL::orientation(point(t[0]), point(t[1]), point(t[2])) != CGAL::POSITIVE;
-  }
-  return flips;
-}
+std::int64_t number_of_flips(const FFM::Simplicial_domain<2>& domain, const FFM::Positions<2>& x);
 
 // Mean symmetric Dirichlet energy, without singular values.
 template <int D>

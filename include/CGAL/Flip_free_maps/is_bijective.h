@@ -92,20 +92,7 @@ bool is_atlas_bijective(const TriangleMesh& mesh, HalfedgeUVMap uv_map, std::str
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same for texture coordinates of a file.
-inline bool is_bijective(const Textured_mesh& mesh, std::string* message = nullptr)
-{
-  internal::Corner_numbers<int> numbers;
-  std::vector<std::array<std::int32_t, 3>> elements;
-  for(std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    std::array<std::int32_t, 3> element;
-    for(int k = 0; k < 3; ++k) {
-      const auto& p = mesh.texture[mesh.texture_triangles[i][k]];
-      element[k] = numbers(mesh.triangles[i][k], p[0], p[1]);
-    }
-    elements.push_back(element);
-  }
-  return internal::is_bijective(elements, numbers.positions(), message);
-}
+bool is_bijective(const Textured_mesh& mesh, std::string* message = nullptr);
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same for arrays: triples of indices into `uv`, a container of planar points with `operator[]`. `false`, with a message, also
@@ -131,5 +118,9 @@ bool is_bijective(const TriangleRange& triangles, const UVRange& uv, std::string
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/is_bijective_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_IS_BIJECTIVE_H

@@ -122,26 +122,7 @@ Distortion_report measure_distortion(const PointRange& points, const TriangleRan
 /// \ingroup PkgFlipFreeMapsRef
 /// Measures a map that is keyed by the corners of the triangles, as files hold it. `face_energies`, if not null, receives the
 /// symmetric Dirichlet energy of each triangle, +infinity for those that are collapsed or flipped.
-inline Distortion_report measure_distortion(const Textured_mesh& mesh, std::vector<double>* face_energies = nullptr)
-{
-  internal::Distortion_measure measure;
-  if(face_energies != nullptr)
-    face_energies->clear();
-  for(std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    internal::Matrix<3> points;
-    Eigen::Matrix<double, 2, 3> image;
-    for(int k = 0; k < 3; ++k) {
-      points.col(k) = Eigen::Map<const Eigen::Vector3d>(mesh.points[mesh.triangles[i][k]].data());
-      image.col(k) = Eigen::Map<const Eigen::Vector2d>(mesh.texture[mesh.texture_triangles[i][k]].data());
-    }
-    const double energy = measure.add(points, image);
-    if(std::isnan(energy))
-      break;
-    if(face_energies != nullptr)
-      face_energies->push_back(energy);
-  }
-  return measure.report();
-}
+Distortion_report measure_distortion(const Textured_mesh& mesh, std::vector<double>* face_energies = nullptr);
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Writes the symmetric Dirichlet energy of each triangle to a property map;
@@ -201,5 +182,9 @@ bool is_flip_free(const TriangleMesh& mesh, VertexUVMap uv_map)
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/measure_distortion_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_MEASURE_DISTORTION_H

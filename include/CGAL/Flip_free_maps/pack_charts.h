@@ -19,10 +19,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <numeric>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -30,47 +27,7 @@ namespace Flip_free_maps {
 namespace internal {
 
 // Splits triangles into charts, the parts that are connected by vertices.
-inline std::vector<Flat_chart> separate_charts(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x)
-{
-  std::vector<std::int32_t> parent(x.cols());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](std::int32_t v) {
-    while(parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for(const auto& element : elements)
-    for(int k = 0; k < 2; ++k)
-      parent[root(element[k + 1])] = root(element[k]);
-  std::vector<Flat_chart> charts;
-  std::vector<std::int32_t> chart_of_root(x.cols(), -1), number(x.cols(), -1);
-  std::vector<std::vector<std::int32_t>> vertices;
-  for(std::size_t e = 0; e < elements.size(); ++e) {
-    std::int32_t& c = chart_of_root[root(elements[e][0])];
-    if(c < 0) {
-      c = static_cast<std::int32_t>(charts.size());
-      charts.emplace_back();
-      vertices.emplace_back();
-    }
-    std::array<std::int32_t, 3> element;
-    for(int k = 0; k < 3; ++k) {
-      std::int32_t& v = number[elements[e][k]];
-      if(v < 0) {
-        v = static_cast<std::int32_t>(vertices[c].size());
-        vertices[c].push_back(elements[e][k]);
-      }
-      element[k] = v;
-    }
-    charts[c].elements.push_back(element);
-    charts[c].faces.push_back(static_cast<std::int32_t>(e));
-  }
-  for(std::size_t c = 0; c < charts.size(); ++c) {
-    charts[c].x.resize(2, vertices[c].size());
-    for(std::size_t v = 0; v < vertices[c].size(); ++v)
-      charts[c].x.col(v) = x.col(vertices[c][v]);
-  }
-  return charts;
-}
+std::vector<Flat_chart> separate_charts(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x);
 
 } // namespace internal
 
@@ -138,5 +95,9 @@ Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, cons
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/pack_charts_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_PACK_CHARTS_H

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_REPAIR_MAP_H
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
@@ -161,6 +162,11 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
   internal::account_run(summary, run);
   return summary;
 }
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+extern template Summary repair_map<2, Flip_free_map_traits<>>(const Simplicial_domain<2>&, Positions<2>&, const Position_constraints<2>&,
+                                                              const Repair_options&, const Flip_free_map_traits<>&);
+#endif
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with named parameters: `map_traits`, `map_options` and `repair_options` of `Flip_free_maps::parameters`.

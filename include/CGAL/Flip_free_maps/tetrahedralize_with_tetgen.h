@@ -21,12 +21,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <cstring>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -48,14 +44,7 @@ struct Tetgen_options
   double radius_edge_ratio = 1.6;
 
   /// Checks the ranges; when a value is off, says which in `*message` (if given) and returns `false`.
-  bool is_valid(std::string* message = nullptr) const
-  {
-    if(!(cell_size >= 0.001 && cell_size <= 1))
-      return internal::fail(message, "cell_size is not from 0.001 to 1");
-    if(radius_edge_ratio != 0 && !(radius_edge_ratio >= 1.2 && std::isfinite(radius_edge_ratio)))
-      return internal::fail(message, "radius_edge_ratio is neither 0 nor at least 1.2");
-    return true;
-  }
+  bool is_valid(std::string* message = nullptr) const;
 };
 
 namespace internal {
@@ -63,116 +52,19 @@ namespace internal {
 // A power of two, so that a division by it is exact, that brings the surface to size 1: TetGen's switches are decimal fractions.
 inline double tetgen_unit(const Closed_surface& surface) { return std::exp2(std::ceil(std::log2(surface.diagonal()))); }
 
-inline void fill_tetgenio(const Closed_surface& surface, tetgenio& input)
-{
-  const double unit = tetgen_unit(surface);
-  input.numberofpoints = static_cast<int>(surface.mesh().number_of_vertices());
-  input.pointlist = new REAL[3 * surface.mesh().number_of_vertices()];
-  std::size_t i = 0;
-  for(const auto v : surface.mesh().vertices())
-    for(int k = 0; k < 3; ++k)
-      input.pointlist[i++] = surface.mesh().point(v)[k] / unit;
-
-  const std::size_t n = surface.triangles().size();
-  input.facetlist = new tetgenio::facet[n];
-  for(std::size_t f = 0; f < n; ++f)
-    tetgenio::init(&input.facetlist[f]);
-  input.numberoffacets = static_cast<int>(n);
-  for(std::size_t f = 0; f < n; ++f) {
-    tetgenio::facet& facet = input.facetlist[f];
-    facet.polygonlist = new tetgenio::polygon[1];
-    tetgenio::init(facet.polygonlist);
-    facet.numberofpolygons = 1;
-    facet.polygonlist->vertexlist = new int[3];
-    facet.polygonlist->numberofvertices = 3;
-    for(int k = 0; k < 3; ++k)
-      facet.polygonlist->vertexlist[k] = surface.triangles()[f][k];
-  }
-}
+void fill_tetgenio(const Closed_surface& surface, tetgenio& input);
 
 // p: a piecewise linear complex; Y: the boundary stays as it is; q, a: bounds for ratio and volume; Q: no report.
-inline std::string tetgen_switches(const Closed_surface& surface, const Tetgen_options& options)
-{
-  std::string switches = "pYQ";
-  const auto add = [&switches](char name, double value) {
-    char digits[64];
-    switches += name;
-    switches.append(digits, std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::fixed, 15).ptr);
-  };
-  if(options.radius_edge_ratio != 0)
-    add('q', options.radius_edge_ratio);
-  if(options.cell_size < 1) {
-    const double edge = options.cell_size * surface.diagonal() / tetgen_unit(surface);
-    add('a', edge * edge * edge / std::sqrt(72.));
-  }
-  return switches;
-}
+std::string tetgen_switches(const Closed_surface& surface, const Tetgen_options& options);
 
 // Writes the points and the tetrahedra as bytes; returns 0, or the number that TetGen throws.
-inline int run_tetgen(const Closed_surface& surface, const Tetgen_options& options, std::string& bytes)
-{
-  try {
-    tetgenio input, output;
-    fill_tetgenio(surface, input);
-    std::string switches = tetgen_switches(surface, options);
-    ::tetrahedralize(&switches[0], &input, &output);
-    const int counts[3] = {output.numberofpoints, output.numberoftetrahedra, output.firstnumber};
-    bytes.assign(reinterpret_cast<const char*>(counts), sizeof(counts));
-    if(counts[1] == 0 || output.numberofcorners != 4)
-      return 0;
-    bytes.append(reinterpret_cast<const char*>(output.pointlist), sizeof(double) * 3 * counts[0]);
-    bytes.append(reinterpret_cast<const char*>(output.tetrahedronlist), sizeof(int) * 4 * counts[1]);
-    return 0;
-  } catch(const std::bad_alloc&) {
-    return 1;
-  } catch(int code) {
-    return code > 0 && code < 200 ? code : 2;
-  }
-}
+int run_tetgen(const Closed_surface& surface, const Tetgen_options& options, std::string& bytes);
 
 // False when the bytes are not complete.
-inline bool unpack_tetgen(const Closed_surface& surface, const std::string& bytes, Tetrahedral_mesh& mesh)
-{
-  int counts[3];
-  if(bytes.size() < sizeof(counts))
-    return false;
-  std::memcpy(counts, bytes.data(), sizeof(counts));
-  static_assert(sizeof(std::array<double, 3>) == 3 * sizeof(double) && sizeof(std::array<int, 4>) == 4 * sizeof(int),
-                "arrays without padding");
-  if(counts[0] < static_cast<int>(surface.mesh().number_of_vertices()) || counts[1] < 1)
-    return false;
-  mesh.points.resize(counts[0]);
-  mesh.tetrahedra.resize(counts[1]);
-  const std::size_t point_bytes = mesh.points.size() * sizeof(mesh.points[0]);
-  const std::size_t tetrahedron_bytes = mesh.tetrahedra.size() * sizeof(mesh.tetrahedra[0]);
-  if(bytes.size() != sizeof(counts) + point_bytes + tetrahedron_bytes)
-    return false;
-  std::memcpy(mesh.points.data(), bytes.data() + sizeof(counts), point_bytes);
-  std::memcpy(mesh.tetrahedra.data(), bytes.data() + sizeof(counts) + point_bytes, tetrahedron_bytes);
-  for(std::array<double, 3>& point : mesh.points)
-    for(double& coordinate : point)
-      coordinate *= tetgen_unit(surface);
-  for(std::array<int, 4>& tetrahedron : mesh.tetrahedra)
-    for(int& v : tetrahedron)
-      v -= counts[2];
-  return true;
-}
+bool unpack_tetgen(const Closed_surface& surface, const std::string& bytes, Tetrahedral_mesh& mesh);
 
 // What the numbers mean that TetGen throws.
-inline Status tetgen_failure(int code, std::string& message)
-{
-  switch(code) {
-  case 1:
-    message = "not enough memory for so many tetrahedra";
-    return Status::out_of_memory;
-  case 3:
-    message = "TetGen found a self-intersection of the surface";
-    return Status::non_manifold;
-  default:
-    message = "TetGen gave up: details of the surface are too small or too close to each other for it";
-    return Status::degenerate_rest_element;
-  }
-}
+Status tetgen_failure(int code, std::string& message);
 
 } // namespace internal
 
@@ -243,5 +135,9 @@ Outcome tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& v
 } // namespace CGAL
 
 #endif // CGAL_FLIP_FREE_MAPS_USE_TETGEN
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/tetrahedralize_with_tetgen_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_WITH_TETGEN_H

@@ -14,12 +14,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 /// \file
@@ -32,77 +30,14 @@ class Medit_reader
 {
 public:
   // Returns the empty string, or what is wrong with the file.
-  std::string read(std::string_view text)
-  {
-    Word_reader reader(text);
-    if(reader.word() != "MeshVersionFormatted")
-      return "line " + std::to_string(reader.line()) + ": the file does not begin with 'MeshVersionFormatted'";
-    while(!reader.at_end() && reader.word() != "End")
-      if(!read_section(reader))
-        return reader.error();
-    if(!m_has_points)
-      return "the file has no section 'Vertices'";
-    // A section may precede the points that it uses.
-    std::string error = index_error("tetrahedron", m_mesh.tetrahedra, m_mesh.points.size());
-    if(error.empty())
-      error = index_error("triangle", m_mesh.triangles, m_mesh.points.size());
-    return error;
-  }
+  std::string read(std::string_view text);
 
   Tetrahedral_mesh& mesh() { return m_mesh; }
 
 private:
-  bool read_section(Word_reader& reader)
-  {
-    const std::string_view keyword = reader.word();
-    const long long line = reader.line();
-    if(keyword == "Dimension") {
-      m_is_skipping = false;
-      reader.skip_word();
-      long long dimension = 0;
-      if(!reader.read_integer(dimension))
-        return false;
-      return dimension == 3 || reader.fail_at(line, "the dimension is " + std::to_string(dimension) + ", not 3");
-    }
-    if(keyword == "Vertices") {
-      if(m_has_points)
-        return reader.fail_at(line, "a second section 'Vertices'");
-      m_has_points = true;
-      m_is_skipping = false;
-      reader.skip_word();
-      return read_points(reader);
-    }
-    if(keyword == "Tetrahedra" || keyword == "Triangles") {
-      m_is_skipping = false;
-      reader.skip_word();
-      return keyword == "Tetrahedra" ? read_elements(reader, m_mesh.tetrahedra) : read_elements(reader, m_mesh.triangles);
-    }
-    // Other sections are skipped word by word, since no number is a keyword.
-    const bool is_keyword = std::isalpha(static_cast<unsigned char>(keyword.front())) != 0;
-    if(!is_keyword && !m_is_skipping)
-      return reader.fail_here("found " + quoted_word(keyword) + " where a section begins; the section before has more items than it says");
-    m_is_skipping = true;
-    reader.skip_word();
-    return true;
-  }
+  bool read_section(Word_reader& reader);
 
-  bool read_points(Word_reader& reader)
-  {
-    std::size_t count = 0;
-    if(!reader.read_count(count))
-      return false;
-    m_mesh.points.reserve((std::min)(count, reader.possible_items(3)));
-    for(std::size_t i = 0; i < count; ++i) {
-      std::array<double, 3> point;
-      for(double& coordinate : point)
-        if(!reader.read_finite(coordinate))
-          return false;
-      m_mesh.points.push_back(point);
-      if(!skip_reference(reader))
-        return false;
-    }
-    return true;
-  }
+  bool read_points(Word_reader& reader);
 
   template <std::size_t N>
   bool read_elements(Word_reader& reader, std::vector<std::array<int, N>>& elements)
@@ -131,11 +66,7 @@ private:
   }
 
   // Some programs leave the reference out; then the next word begins a new line.
-  static bool skip_reference(Word_reader& reader)
-  {
-    double ignored = 0;
-    return !reader.is_line_continued() || reader.read_finite(ignored);
-  }
+  static bool skip_reference(Word_reader& reader);
 
   Tetrahedral_mesh m_mesh;
   bool m_has_points = false;
@@ -177,33 +108,13 @@ inline bool read_Medit(const std::string& path, Tetrahedral_mesh& mesh, std::str
 
   \returns `true` if the file was written. An invalid mesh is refused before the file is touched.
 */
-inline bool write_Medit(const std::string& path, const Tetrahedral_mesh& mesh, std::string* message = nullptr)
-{
-  const std::string error = internal::tetrahedral_mesh_error(mesh);
-  if(!error.empty())
-    return internal::fail(message, "cannot write " + path + ": " + error);
-
-  std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n" + std::to_string(mesh.points.size()) + '\n';
-  for(const std::array<double, 3>& point : mesh.points) {
-    internal::append_coordinates(text, point);
-    text += " 0\n";
-  }
-  const auto append_section = [&text](const char* keyword, const auto& elements) {
-    if(elements.empty())
-      return;
-    text += std::string(keyword) + '\n' + std::to_string(elements.size()) + '\n';
-    for(const auto& element : elements) {
-      internal::append_numbers(text, element, 1);
-      text += " 1\n";
-    }
-  };
-  append_section("Triangles", mesh.triangles);
-  append_section("Tetrahedra", mesh.tetrahedra);
-  text += "End\n";
-  return internal::write_whole_file(path, text, message);
-}
+bool write_Medit(const std::string& path, const Tetrahedral_mesh& mesh, std::string* message = nullptr);
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/IO/Medit_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_IO_MEDIT_H

@@ -12,8 +12,6 @@
 
 #include <boost/crc.hpp>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -23,44 +21,12 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-inline void append_big_endian(std::string& bytes, std::uint32_t value)
-{
-  for(int shift = 24; shift >= 0; shift -= 8)
-    bytes += static_cast<char>(value >> shift & 255);
-}
+void append_big_endian(std::string& bytes, std::uint32_t value);
 
-inline void append_PNG_chunk(std::string& bytes, const std::string& type, const std::string& data)
-{
-  append_big_endian(bytes, static_cast<std::uint32_t>(data.size()));
-  boost::crc_32_type crc;
-  crc.process_bytes(type.data(), type.size());
-  crc.process_bytes(data.data(), data.size());
-  bytes += type + data;
-  append_big_endian(bytes, crc.checksum());
-}
+void append_PNG_chunk(std::string& bytes, const std::string& type, const std::string& data);
 
 // A zlib stream whose blocks are stored: a bit per pixel is small enough, and no library is needed.
-inline std::string stored_zlib_stream(const std::string& data)
-{
-  std::string bytes("\x78\x01", 2);
-  const std::size_t max_length = 65535;
-  for(std::size_t begin = 0; begin < data.size(); begin += max_length) {
-    const std::size_t length = (std::min)(max_length, data.size() - begin);
-    bytes += static_cast<char>(begin + length == data.size());
-    for(const std::size_t value : {length, length ^ 0xffff}) {
-      bytes += static_cast<char>(value & 255);
-      bytes += static_cast<char>(value >> 8);
-    }
-    bytes.append(data, begin, length);
-  }
-  std::uint32_t a = 1, b = 0; // Adler-32
-  for(const char c : data) {
-    a = (a + static_cast<unsigned char>(c)) % 65521;
-    b = (b + a) % 65521;
-  }
-  append_big_endian(bytes, b << 16 | a);
-  return bytes;
-}
+std::string stored_zlib_stream(const std::string& data);
 
 } // namespace internal
 
@@ -73,36 +39,13 @@ inline std::string stored_zlib_stream(const std::string& data)
 /// \param message if not null, receives the reason of a failure, and the empty string on success
 ///
 /// \returns `false` if a number is out of range or if the file cannot be written
-inline bool write_checkerboard_PNG(const std::string& path, int size, int squares, std::string* message = nullptr)
-{
-  if(size < 1 || size > 16000 || squares < 1 || squares > size)
-    return internal::fail(message, "cannot draw " + path + ": the size must be from 1 to 16000, and squares from 1 to the size");
-
-  // Square i begins at the pixel size * i / squares, rounded down.
-  const auto square_of = [=](int pixel) { return static_cast<int>(((pixel + 1LL) * squares - 1) / size); };
-  std::string pixels;
-  for(int y = 0; y < size; ++y) {
-    pixels += '\0'; // no filter
-    for(int x = 0; x < size; x += 8) {
-      int bits = 0;
-      for(int k = 0; k < 8 && x + k < size; ++k)
-        bits |= (square_of(x + k) + square_of(y)) % 2 == 0 ? 128 >> k : 0;
-      pixels += static_cast<char>(bits);
-    }
-  }
-  std::string header;
-  internal::append_big_endian(header, size);
-  internal::append_big_endian(header, size);
-  header += std::string("\x01\x03\x00\x00\x00", 5); // a bit per pixel, colors from the palette: a light and a blue one
-  std::string bytes("\x89PNG\r\n\x1a\n");
-  internal::append_PNG_chunk(bytes, "IHDR", header);
-  internal::append_PNG_chunk(bytes, "PLTE", "\xf2\xf2\xed\x38\x6b\x9e");
-  internal::append_PNG_chunk(bytes, "IDAT", internal::stored_zlib_stream(pixels));
-  internal::append_PNG_chunk(bytes, "IEND", "");
-  return internal::write_whole_file(path, bytes, message);
-}
+bool write_checkerboard_PNG(const std::string& path, int size, int squares, std::string* message = nullptr);
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/IO/checkerboard_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_IO_CHECKERBOARD_H

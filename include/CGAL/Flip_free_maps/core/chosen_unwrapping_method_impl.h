@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CORE_CHOSEN_UNWRAPPING_METHOD_IMPL_H
 
 #include <CGAL/Flip_free_maps/core/chosen_method.h>
+#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/core/unwrap_triangles_by_traits.h>
 
 namespace CGAL {

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/initializers/internal/fill_holes.h>
+#include <CGAL/Flip_free_maps/initializers/internal/solve_unsymmetric.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Laplacian_matrix.h>
 #include <CGAL/Flip_free_maps/method/Start_options.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
@@ -20,7 +21,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <Eigen/LU>
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
@@ -304,12 +305,10 @@ private:
       if(!unknowns.is_fixed(w))
         triplets.emplace_back(unknowns[v], unknowns[w], -weight);
     });
-    Eigen::SparseMatrix<double> matrix(unknowns.size(), unknowns.size());
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
-    const Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
-    if(solver.info() != Eigen::Success)
+    Coordinates left;
+    if(!internal::solve_unsymmetric(triplets, right, left))
       return false;
-    spread({solver.solve(right[0]), solver.solve(right[1])}, unknowns, x);
+    spread(left, unknowns, x);
     return true;
   }
 

@@ -13,7 +13,6 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -33,34 +32,13 @@ public:
   std::string ordering() const { return "amd"; }
 
   /// Computes the ordering and the pattern of the factor.
-  bool analyze_pattern(const Block_sparse_matrix& matrix)
-  {
-    m_factorized = false;
-    m_matrix = matrix.lower();
-    m_solver.analyzePattern(m_matrix);
-    return true;
-  }
+  bool analyze_pattern(const Block_sparse_matrix& matrix);
 
   /// Factorizes; the pattern must be the one analysed. `false` when a pivot vanishes or is not finite.
-  bool factorize(const Block_sparse_matrix& matrix)
-  {
-    m_factorized = false;
-    if(m_matrix.nonZeros() != matrix.number_of_entries())
-      return false;
-    std::copy(matrix.values().begin(), matrix.values().end(), m_matrix.valuePtr());
-    m_solver.factorize(m_matrix);
-    m_factorized = m_solver.info() == Eigen::Success && m_solver.vectorD().allFinite();
-    return m_factorized;
-  }
+  bool factorize(const Block_sparse_matrix& matrix);
 
   /// Solves for one right-hand side with the last factorization.
-  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
-  {
-    if(!m_factorized)
-      return false;
-    x = m_solver.solve(b);
-    return x.allFinite();
-  }
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
   /// Entries of the factor.
   std::int64_t factor_entries() const { return m_factorized ? m_solver.matrixL().nestedExpression().nonZeros() : -1; }
@@ -75,5 +53,9 @@ private:
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_EIGEN_SIMPLICIAL_SOLVER_H

@@ -25,7 +25,6 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -42,15 +41,7 @@ class Any_map_traits
 {
 public:
   /// The default method.
-  Any_map_traits()
-  {
-    use_method("default");
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
-    use_linear_solver<Automatic_solver<Cholmod_solver>>();
-#else
-    use_linear_solver<Eigen_simplicial_solver>();
-#endif
-  }
+  Any_map_traits();
 
   /// Measures against the rest shape only, as `Fixed_reference` does: no distortion is beyond an infinite bound.
   void use_fixed_reference() { reference.bound = std::numeric_limits<double>::infinity(); }
@@ -72,13 +63,7 @@ public:
   Any_linear_solver make_linear_solver() const { return m_make_linear_solver(options.memory_budget); }
 
   /// Enters the names of what is held into the account of a run.
-  void name_choices(Summary& summary) const
-  {
-    summary.energy_name = energy.energy_name();
-    summary.preconditioner = preconditioner.preconditioner_name();
-    summary.acceleration = acceleration.acceleration_name();
-    summary.reference = has_progressive_reference() ? Progressive_reference::name() : Fixed_reference::name();
-  }
+  void name_choices(Summary& summary) const;
 
   /// Makes the choices of a method of the literature, energy, linear solver and stopping rules apart, and a Tutte start. Names,
   /// with what they stand for:
@@ -96,67 +81,14 @@ public:
   /// | `sobolev` | `Laplacian` | fixed | none |
   ///
   /// \returns `false`, and no choice is made, if no method has that name
-  bool use_method(const std::string& name)
-  {
-    if(name == "default") {
-      m_is_default = true;
-      const Flip_free_map_traits<> defaults;
-      preconditioner = Any_preconditioner(defaults.preconditioner);
-      acceleration = Any_acceleration(defaults.acceleration);
-      refactorization_rule = defaults.refactorization_rule;
-      start.multilevel_size = defaults.start.multilevel_size;
-      options.begin_with_largest_step = defaults.options.begin_with_largest_step;
-      use_fixed_reference();
-      return true;
-    }
-    const bool is_progressive = name == "pp" || name.compare(0, 2, "p-") == 0;
-    const auto found = preconditioners().find(name != "pp" && is_progressive ? name.substr(2) : name);
-    if(found == preconditioners().end() || name == "p-pp" || (is_progressive && found->second.is_constant()))
-      return false;
-    m_is_default = false;
-    preconditioner = found->second;
-    acceleration = name == "aqp" ? Any_acceleration(Nesterov()) : Any_acceleration(No_acceleration());
-    refactorization_rule = Every_iteration();
-    start.multilevel_size = -1;
-    options.begin_with_largest_step = true;
-    if(is_progressive)
-      use_progressive_reference();
-    else
-      use_fixed_reference();
-    return true;
-  }
+  bool use_method(const std::string& name);
 
   /// As the function of `Flip_free_map_traits`, if the method is the default and still has its preconditioner and its
   /// acceleration.
-  void adapt_to_developable_surface()
-  {
-    Flip_free_map_traits<> defaults;
-    if(!m_is_default || preconditioner.preconditioner_name() != defaults.preconditioner.name() ||
-       acceleration.acceleration_name() != defaults.acceleration.name())
-      return;
-    defaults.adapt_to_developable_surface();
-    preconditioner = Any_preconditioner(defaults.preconditioner);
-    acceleration = Any_acceleration(defaults.acceleration);
-    refactorization_rule = defaults.refactorization_rule;
-    if(start.multilevel_size >= 0) {
-      start.unfold = true;
-      start.multilevel_size = 0;
-    }
-  }
+  void adapt_to_developable_surface();
 
   /// The preconditioners of the methods without progressive references.
-  static const std::map<std::string, Any_preconditioner>& preconditioners()
-  {
-    static const std::map<std::string, Any_preconditioner> all{{"aqp", Any_preconditioner(Laplacian())},
-                                                               {"sobolev", Any_preconditioner(Laplacian())},
-                                                               {"akvf", Any_preconditioner(Killing())},
-                                                               {"slim", Any_preconditioner(Slim())},
-                                                               {"cm", Any_preconditioner(Composite_majorization<>())},
-                                                               {"pp", Any_preconditioner(Hybrid<>())},
-                                                               {"newton", Any_preconditioner(Newton())},
-                                                               {"projected-newton", Any_preconditioner(Projected_newton())}};
-    return all;
-  }
+  static const std::map<std::string, Any_preconditioner>& preconditioners();
 
 private:
   std::function<Any_linear_solver(double)> m_make_linear_solver;
@@ -165,5 +97,9 @@ private:
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/method/Any_map_traits_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_METHOD_ANY_MAP_TRAITS_H

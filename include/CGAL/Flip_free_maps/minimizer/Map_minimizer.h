@@ -70,20 +70,7 @@ public:
   /// \param traits the method and its settings
   /// \param constraints vertices that are fixed or pulled to places
   explicit Map_minimizer(const Simplicial_domain<D>& domain, const Traits& traits = Traits(),
-                         const Position_constraints<D>& constraints = Position_constraints<D>())
-    : m_domain(domain),
-      m_traits(traits),
-      m_objective(domain, m_traits.energy, m_traits.preconditioner),
-      m_factorization(m_traits, m_objective),
-      m_steps(domain, m_traits, m_objective),
-      m_convergence(m_factorization, m_steps)
-  {
-    if(!constraints.is_valid(domain.number_of_vertices, &m_constraint_error))
-      return;
-    m_objective.fix(constraints.fixed_vertices);
-    if(!constraints.soft_positions.empty())
-      m_objective.add_term(std::make_shared<Soft_positions<D>>(constraints.soft_positions));
-  }
+                         const Position_constraints<D>& constraints = Position_constraints<D>());
 
   Map_minimizer(const Map_minimizer&) = delete;
   Map_minimizer& operator=(const Map_minimizer&) = delete;
@@ -106,7 +93,7 @@ public:
   ///
   /// \param summary times are added to it
   /// \returns whether the linear solver succeeded
-  bool analyze(Summary& summary) { return m_factorization.analyze(summary); }
+  bool analyze(Summary& summary);
 
   /// Minimises, beginning at the positions `x`, in the domain's units of length.
   ///
@@ -122,13 +109,7 @@ public:
   }
 
   /// The same, adding to the counts and times of a given summary.
-  void minimize(Positions<D>& x, Summary& summary)
-  {
-    guarded(x, summary, [&](Run& run) {
-      if(begin(run))
-        iterate(run);
-    });
-  }
+  void minimize(Positions<D>& x, Summary& summary);
 
   /// Moves the fixed vertices of a map to other positions and minimises there. Where the other vertices cannot follow at once
   /// without a flip, the fixed vertices take as many steps as are needed, and the map is optimised a little after each.
@@ -144,23 +125,7 @@ public:
   }
 
   /// The same, adding to the counts and times of a given summary.
-  void move_fixed_vertices(Positions<D>& x, const Positions<D>& targets, Summary& summary)
-  {
-    guarded(x, summary, [&](Run& run) {
-      if(targets.cols() != m_domain.number_of_vertices) {
-        run.finish(Status::invalid_option, "the targets must have a column for each vertex");
-        return;
-      }
-      if(!begin(run) || !analyze_or_fail(run))
-        return;
-      internal::Handle_path<D, Traits> path(m_domain, m_traits, m_objective, m_factorization, m_steps);
-      const auto optimize = [this](Run& r) {
-        while(iterate_once(r)) {}
-      };
-      if(path.follow(run, targets, optimize))
-        iterate(run);
-    });
-  }
+  void move_fixed_vertices(Positions<D>& x, const Positions<D>& targets, Summary& summary);
 
 private:
   using Run = internal::Minimizer_run<D>;
@@ -423,6 +388,57 @@ private:
   internal::Convergence_test<D, Traits> m_convergence;
   std::string m_constraint_error;
 };
+
+template <int D, typename Traits>
+Map_minimizer<D, Traits>::Map_minimizer(const Simplicial_domain<D>& domain, const Traits& traits,
+                                        const Position_constraints<D>& constraints)
+  : m_domain(domain),
+    m_traits(traits),
+    m_objective(domain, m_traits.energy, m_traits.preconditioner),
+    m_factorization(m_traits, m_objective),
+    m_steps(domain, m_traits, m_objective),
+    m_convergence(m_factorization, m_steps)
+{
+  if(!constraints.is_valid(domain.number_of_vertices, &m_constraint_error))
+    return;
+  m_objective.fix(constraints.fixed_vertices);
+  if(!constraints.soft_positions.empty())
+    m_objective.add_term(std::make_shared<Soft_positions<D>>(constraints.soft_positions));
+}
+
+template <int D, typename Traits>
+void Map_minimizer<D, Traits>::minimize(Positions<D>& x, Summary& summary)
+{
+  guarded(x, summary, [&](Run& run) {
+    if(begin(run))
+      iterate(run);
+  });
+}
+
+template <int D, typename Traits>
+void Map_minimizer<D, Traits>::move_fixed_vertices(Positions<D>& x, const Positions<D>& targets, Summary& summary)
+{
+  guarded(x, summary, [&](Run& run) {
+    if(targets.cols() != m_domain.number_of_vertices) {
+      run.finish(Status::invalid_option, "the targets must have a column for each vertex");
+      return;
+    }
+    if(!begin(run) || !analyze_or_fail(run))
+      return;
+    internal::Handle_path<D, Traits> path(m_domain, m_traits, m_objective, m_factorization, m_steps);
+    const auto optimize = [this](Run& r) {
+      while(iterate_once(r)) {}
+    };
+    if(path.follow(run, targets, optimize))
+      iterate(run);
+  });
+}
+
+template <int D, typename Traits>
+bool Map_minimizer<D, Traits>::analyze(Summary& summary)
+{
+  return m_factorization.analyze(summary);
+}
 
 } // namespace Flip_free_maps
 } // namespace CGAL

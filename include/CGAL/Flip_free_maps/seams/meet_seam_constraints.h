@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,13 +45,7 @@ struct Seam_options
                                                         ///< see `find_seams()`
 
   /// Checks the ranges; when one is wrong, says so in `*message` (if given) and returns `false`.
-  bool is_valid(std::string* message = nullptr) const
-  {
-    const bool valid = tolerance > 0 && first_weight > 0 && first_quarter_turn_weight > 0 && factor > 1 && std::isfinite(factor) &&
-                       std::isfinite(largest_weight) && first_weight <= largest_weight;
-    return valid ||
-           internal::fail(message, "seams need a positive tolerance, positive weights up to a finite largest one, and a factor above 1");
-  }
+  bool is_valid(std::string* message = nullptr) const;
 };
 
 /// \ingroup PkgFlipFreeMapsSeams
@@ -77,12 +70,7 @@ struct Seam_summary : Summary
 namespace internal {
 
 // The nearest rotation by a multiple of 90 degrees.
-inline Vector<2> nearest_quarter_turn(const Vector<2>& p)
-{
-  if(std::abs(p[0]) >= std::abs(p[1]))
-    return {p[0] >= 0 ? 1. : -1., 0.};
-  return {0., p[1] >= 0 ? 1. : -1.};
-}
+Vector<2> nearest_quarter_turn(const Vector<2>& p);
 
 // Minimises with growing multipliers and weight until the seams are met.
 template <typename Minimizer>
@@ -216,5 +204,9 @@ Seam_summary meet_seam_constraints(const Simplicial_domain<2>& domain, Positions
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/seams/meet_seam_constraints_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_SEAMS_MEET_SEAM_CONSTRAINTS_H

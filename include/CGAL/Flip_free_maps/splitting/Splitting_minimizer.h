@@ -36,11 +36,28 @@
 #include <new>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
+namespace internal {
+
+// The traits of a polish: the base of traits that have one, which knows nothing of the splitting.
+template <typename Traits, typename = void>
+struct Polish_traits
+{
+  using type = Traits;
+};
+
+template <typename Traits>
+struct Polish_traits<Traits, std::void_t<typename Traits::Base_traits>>
+{
+  using type = typename Traits::Base_traits;
+};
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Minimises the mean distortion energy of a map by the splitting scheme of Stein, Li and Solomon 2022. The start and the
@@ -76,18 +93,7 @@ public:
   explicit Splitting_minimizer(const Simplicial_domain<D>& domain, const Traits& traits = Traits(),
                                const Position_constraints<D>& constraints = Position_constraints<D>(),
                                const Splitting_options& options = Splitting_options(),
-                               const Linear_constraints<D>& linear_constraints = Linear_constraints<D>())
-    : m_domain(domain),
-      m_traits(traits),
-      m_constraints(constraints),
-      m_options(options),
-      m_linear_constraints(linear_constraints),
-      m_step(traits.energy, options),
-      m_linear_solver(m_traits.make_linear_solver()),
-      m_solver(m_linear_solver)
-  {
-    m_schedule.build(domain.elements, domain.number_of_vertices);
-  }
+                               const Linear_constraints<D>& linear_constraints = Linear_constraints<D>());
 
   Splitting_minimizer(const Splitting_minimizer&) = delete;
   Splitting_minimizer& operator=(const Splitting_minimizer&) = delete;
@@ -118,20 +124,7 @@ public:
   /// whose Jacobians are the closest to the model's and which has the fixed vertices where `x` has them. So handles may be moved
   /// far: `model` is the map before, in which nothing is flipped, and `x` the same with the handles at their new places. The
   /// positions that `x` gives to other vertices do not matter then.
-  void minimize(Positions<D>& x, const Positions<D>& model, Summary& summary)
-  {
-    try {
-      Positions<D> result = x;
-      split(result, model, summary);
-      if(summary.is_valid() && m_options.polish)
-        polish(result, summary);
-      if(summary.is_valid())
-        x = std::move(result);
-    } catch(const std::bad_alloc&) {
-      finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
-    }
-    summary.peak_memory_mb = internal::peak_memory_mb();
-  }
+  void minimize(Positions<D>& x, const Positions<D>& model, Summary& summary);
 
   /// Moves the fixed vertices of a map to other positions and minimises there.
   ///
@@ -152,31 +145,7 @@ public:
 
   /// As `minimize()` without a polish, whatever the options say: a program that calls no other function is spared the compilation
   /// of `Map_minimizer`.
-  void split(Positions<D>& x, const Positions<D>& model, Summary& summary)
-  {
-    summary.vertices = m_domain.number_of_vertices;
-    summary.elements = m_domain.number_of_elements();
-    summary.dimension = D;
-    if constexpr(internal::Holds_energy<Energy>::value)
-      summary.energy_name = m_traits.energy.energy_name();
-    else
-      summary.energy_name = Energy::name();
-    summary.preconditioner = Step::name();
-    const Status bad = check(x, model, summary.message);
-    if(bad != Status::success) {
-      summary.status = bad;
-      return;
-    }
-    try {
-      Positions<D> result = x;
-      run(result, model, summary);
-      if(summary.is_valid())
-        x = std::move(result);
-    } catch(const std::bad_alloc&) {
-      finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
-    }
-    summary.peak_memory_mb = internal::peak_memory_mb();
-  }
+  void split(Positions<D>& x, const Positions<D>& model, Summary& summary);
 
 private:
   static void finish(Summary& summary, Status status, const std::string& message)
@@ -414,7 +383,8 @@ private:
     const std::string splitting = "splitting, " + std::to_string(summary.iterations) + " iterations: " + summary.message;
     summary.start += summary.start.empty() ? splitting : ", then " + splitting;
     const double energy_initial = summary.energy_initial;
-    polish_map<Map_minimizer<D, Traits>>(m_domain, m_traits, m_constraints, x, summary);
+    using Polish = typename internal::Polish_traits<Traits>::type;
+    polish_map<Map_minimizer<D, Polish>>(m_domain, static_cast<const Polish&>(m_traits), m_constraints, x, summary);
     summary.energy_initial = energy_initial;
   }
 
@@ -453,6 +423,65 @@ private:
   double m_primal_tolerance = 0;
   double m_dual_tolerance = 0;
 };
+
+template <int D, typename Traits, typename Step>
+Splitting_minimizer<D, Traits, Step>::Splitting_minimizer(const Simplicial_domain<D>& domain, const Traits& traits,
+                                                          const Position_constraints<D>& constraints, const Splitting_options& options,
+                                                          const Linear_constraints<D>& linear_constraints)
+  : m_domain(domain),
+    m_traits(traits),
+    m_constraints(constraints),
+    m_options(options),
+    m_linear_constraints(linear_constraints),
+    m_step(traits.energy, options),
+    m_linear_solver(m_traits.make_linear_solver()),
+    m_solver(m_linear_solver)
+{
+  m_schedule.build(domain.elements, domain.number_of_vertices);
+}
+
+template <int D, typename Traits, typename Step>
+void Splitting_minimizer<D, Traits, Step>::minimize(Positions<D>& x, const Positions<D>& model, Summary& summary)
+{
+  try {
+    Positions<D> result = x;
+    split(result, model, summary);
+    if(summary.is_valid() && m_options.polish)
+      polish(result, summary);
+    if(summary.is_valid())
+      x = std::move(result);
+  } catch(const std::bad_alloc&) {
+    finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
+  }
+  summary.peak_memory_mb = internal::peak_memory_mb();
+}
+
+template <int D, typename Traits, typename Step>
+void Splitting_minimizer<D, Traits, Step>::split(Positions<D>& x, const Positions<D>& model, Summary& summary)
+{
+  summary.vertices = m_domain.number_of_vertices;
+  summary.elements = m_domain.number_of_elements();
+  summary.dimension = D;
+  if constexpr(internal::Holds_energy<Energy>::value)
+    summary.energy_name = m_traits.energy.energy_name();
+  else
+    summary.energy_name = Energy::name();
+  summary.preconditioner = Step::name();
+  const Status bad = check(x, model, summary.message);
+  if(bad != Status::success) {
+    summary.status = bad;
+    return;
+  }
+  try {
+    Positions<D> result = x;
+    run(result, model, summary);
+    if(summary.is_valid())
+      x = std::move(result);
+  } catch(const std::bad_alloc&) {
+    finish(summary, Status::out_of_memory, "memory was exhausted while minimizing");
+  }
+  summary.peak_memory_mb = internal::peak_memory_mb();
+}
 
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -10,9 +10,7 @@
 
 #include <CGAL/Flip_free_maps/internal/error_message.h>
 
-#include <cerrno>
 #include <charconv>
-#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -26,32 +24,14 @@ namespace internal {
 
 // The conversions of <charconv> do not depend on the locale of the program, unlike those of <cstdio>. Without a number of
 // digits the text is the shortest one that is read back as the same double.
-inline void append_number(std::string& text, double value)
-{
-  char buffer[40];
-  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
-}
+void append_number(std::string& text, double value);
 
-inline void append_number(std::string& text, double value, int digits)
-{
-  char buffer[40];
-  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, digits).ptr);
-}
+void append_number(std::string& text, double value, int digits);
 
-inline void append_number(std::string& text, long long value)
-{
-  char buffer[24];
-  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
-}
+void append_number(std::string& text, long long value);
 
 // Word of a file in a form that is safe to print in a message.
-inline std::string quoted_word(std::string_view word)
-{
-  std::string result = "'";
-  for(const char c : word.substr(0, 40))
-    result += (c >= ' ' && c <= '~') ? c : '?';
-  return result + (word.size() > 40 ? "...'" : "'");
-}
+std::string quoted_word(std::string_view word);
 
 template <typename Number>
 std::errc parse_number(std::string_view word, Number& value)
@@ -65,40 +45,9 @@ std::errc parse_number(std::string_view word, Number& value)
 }
 
 // Errors that appear only when the last bytes reach the disk are reported by fflush and fclose.
-inline bool write_whole_file(const std::string& path, const std::string& content, std::string* message)
-{
-  errno = 0;
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if(file == nullptr)
-    return fail(message, "cannot open " + path + " for writing: " + std::strerror(errno));
+bool write_whole_file(const std::string& path, const std::string& content, std::string* message);
 
-  bool is_written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
-  is_written = (std::fflush(file) == 0) && is_written;
-  const int write_error = errno;
-  is_written = (std::fclose(file) == 0) && is_written;
-  if(!is_written)
-    return fail(message, "cannot write " + path + ": " + std::strerror(write_error != 0 ? write_error : errno));
-  return succeed(message);
-}
-
-inline bool read_whole_file(const std::string& path, std::string& content, std::string* message)
-{
-  errno = 0;
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if(file == nullptr)
-    return fail(message, "cannot open " + path + ": " + std::strerror(errno));
-
-  content.clear();
-  std::string chunk(std::size_t(1) << 20, '\0');
-  for(std::size_t length; (length = std::fread(&chunk[0], 1, chunk.size(), file)) > 0;)
-    content.append(chunk, 0, length);
-  const bool is_read = std::ferror(file) == 0;
-  const int read_error = errno;
-  std::fclose(file);
-  if(!is_read)
-    return fail(message, "cannot read " + path + ": " + std::strerror(read_error));
-  return true;
-}
+bool read_whole_file(const std::string& path, std::string& content, std::string* message);
 
 // Reads a file with a `Reader`: its `read(text)` returns the reason of a failure or the empty string, `mesh()` is the result.
 // `mesh` does not change on failure.
@@ -119,5 +68,9 @@ bool read_mesh_with(const std::string& path, Mesh& mesh, std::string* message)
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/IO/internal/file_helpers_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_H

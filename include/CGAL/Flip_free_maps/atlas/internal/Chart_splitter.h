@@ -13,15 +13,10 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <queue>
-#include <set>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -47,58 +42,17 @@ public:
   {}
 
   // Two triangles that are far from each other.
-  std::pair<std::int32_t, std::int32_t> far_apart() const
-  {
-    const std::int32_t first = farthest_from(0);
-    return {first, farthest_from(first)};
-  }
+  std::pair<std::int32_t, std::int32_t> far_apart() const;
 
   // A triangle that is as far from the given one as can be.
-  std::int32_t farthest_from(std::int32_t seed) const
-  {
-    const std::vector<double> distances = this->distances(seed);
-    return static_cast<std::int32_t>(std::max_element(distances.begin(), distances.end()) - distances.begin());
-  }
+  std::int32_t farthest_from(std::int32_t seed) const;
 
   // Inner edges that part the surface when it is cut along them, somewhere between the two triangles, which must differ: where
   // the regions that are nearer to either meet, straightened if that is a single line from border to border.
-  std::vector<Edge> separate(std::int32_t a, std::int32_t b) const
-  {
-    const std::vector<double> to_a = distances(a), to_b = distances(b);
-    std::vector<Edge> meeting;
-    for(std::size_t e = 0; e < m_elements.size(); ++e)
-      for(int k = 0; k < 3; ++k) {
-        const std::int32_t other = m_neighbors[e][k];
-        if(other >= 0 && (to_a[e] <= to_b[e]) && !(to_a[other] <= to_b[other]))
-          meeting.push_back({{m_elements[e][k], m_elements[e][(k + 1) % 3]}, {static_cast<std::int32_t>(e), other}});
-      }
-    std::unordered_map<std::int32_t, int> degrees;
-    for(const Edge& edge : meeting)
-      for(const std::int32_t v : edge.vertices)
-        ++degrees[v];
-    std::vector<std::int32_t> ends;
-    bool is_line = true;
-    for(const auto& degree : degrees) {
-      is_line = is_line && degree.second <= 2;
-      if(degree.second == 1)
-        ends.push_back(degree.first);
-    }
-    if(!is_line || ends.size() != 2)
-      return meeting;
-    // A way along the border would cut off crumbs.
-    std::vector<Edge> straight = shortest_way((std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1]));
-    return smallest_part(straight) < SMALLEST_PART * smallest_part(meeting) ? meeting : straight;
-  }
+  std::vector<Edge> separate(std::int32_t a, std::int32_t b) const;
 
   // The inner edges of a triangle.
-  std::vector<Edge> around(std::int32_t e) const
-  {
-    std::vector<Edge> result;
-    for(int k = 0; k < 3; ++k)
-      if(m_neighbors[e][k] >= 0)
-        result.push_back({{m_elements[e][k], m_elements[e][(k + 1) % 3]}, {e, m_neighbors[e][k]}});
-    return result;
-  }
+  std::vector<Edge> around(std::int32_t e) const;
 
 private:
   static constexpr double CREASE_PREFERENCE = 8;
@@ -106,41 +60,9 @@ private:
   static constexpr double SMALLEST_PART = 0.3;
 
   // The least area of the parts when the surface is cut along some edges.
-  double smallest_part(const std::vector<Edge>& edges) const
-  {
-    std::set<std::pair<std::int32_t, std::int32_t>> is_cut;
-    for(const Edge& edge : edges)
-      is_cut.insert(std::minmax(edge.elements[0], edge.elements[1]));
-    double smallest = std::numeric_limits<double>::infinity();
-    std::vector<char> is_seen(m_elements.size(), 0);
-    std::vector<std::int32_t> front;
-    for(std::size_t first = 0; first < m_elements.size(); ++first) {
-      if(is_seen[first])
-        continue;
-      double area = 0;
-      is_seen[first] = 1;
-      front.assign(1, static_cast<std::int32_t>(first));
-      while(!front.empty()) {
-        const std::int32_t e = front.back();
-        front.pop_back();
-        const auto& v = m_elements[e];
-        area += 0.5 * Vector<3>(m_points.col(v[1]) - m_points.col(v[0])).cross(Vector<3>(m_points.col(v[2]) - m_points.col(v[0]))).norm();
-        for(const std::int32_t f : m_neighbors[e])
-          if(f >= 0 && !is_seen[f] && is_cut.count(std::minmax(e, f)) == 0) {
-            is_seen[f] = 1;
-            front.push_back(f);
-          }
-      }
-      smallest = (std::min)(smallest, area);
-    }
-    return smallest;
-  }
+  double smallest_part(const std::vector<Edge>& edges) const;
 
-  Vector<3> center(std::int32_t e) const
-  {
-    const auto& v = m_elements[e];
-    return (m_points.col(v[0]) + m_points.col(v[1]) + m_points.col(v[2])) / 3;
-  }
+  Vector<3> center(std::int32_t e) const;
 
   using Entry = std::pair<double, std::int32_t>;
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
@@ -153,69 +75,11 @@ private:
   }
 
   // Lengths of ways over the centres of triangles.
-  std::vector<double> distances(std::int32_t seed) const
-  {
-    std::vector<double> result(m_elements.size(), std::numeric_limits<double>::infinity());
-    Queue queue;
-    queue.emplace(0, seed);
-    result[seed] = 0;
-    while(!queue.empty()) {
-      const Entry entry = queue.top();
-      queue.pop();
-      if(entry.first > result[entry.second])
-        continue;
-      for(const std::int32_t e : m_neighbors[entry.second])
-        if(e >= 0) {
-          const double distance = entry.first + crease_factor(entry.second, e) * (center(e) - center(entry.second)).norm();
-          if(distance < result[e]) {
-            result[e] = distance;
-            queue.emplace(distance, e);
-          }
-        }
-    }
-    return result;
-  }
+  std::vector<double> distances(std::int32_t seed) const;
 
   // Along inner edges, some of which lead from one end to the other.
   // Parts that are cut off by a way along the border are parts, too.
-  std::vector<Edge> shortest_way(std::int32_t from, std::int32_t to) const
-  {
-    std::vector<std::vector<std::pair<std::int32_t, Edge>>> ways(m_points.cols());
-    for(std::size_t e = 0; e < m_elements.size(); ++e)
-      for(int k = 0; k < 3; ++k)
-        if(m_neighbors[e][k] > static_cast<std::int32_t>(e)) {
-          const std::int32_t v = m_elements[e][k], w = m_elements[e][(k + 1) % 3];
-          const Edge edge{{v, w}, {static_cast<std::int32_t>(e), m_neighbors[e][k]}};
-          ways[v].emplace_back(w, edge);
-          ways[w].emplace_back(v, edge);
-        }
-    std::vector<double> lengths(m_points.cols(), std::numeric_limits<double>::infinity());
-    std::vector<std::pair<std::int32_t, Edge>> before(m_points.cols());
-    Queue queue;
-    queue.emplace(0, from);
-    lengths[from] = 0;
-    while(!queue.empty() && queue.top().second != to) {
-      const Entry entry = queue.top();
-      queue.pop();
-      const std::int32_t v = entry.second;
-      if(entry.first > lengths[v])
-        continue;
-      for(const auto& way : ways[v]) {
-        const Edge& edge = way.second;
-        const double length =
-          entry.first + (m_points.col(way.first) - m_points.col(v)).norm() / crease_factor(edge.elements[0], edge.elements[1]);
-        if(length < lengths[way.first]) {
-          lengths[way.first] = length;
-          before[way.first] = {v, way.second};
-          queue.emplace(length, way.first);
-        }
-      }
-    }
-    std::vector<Edge> result;
-    for(std::int32_t v = to; v != from; v = before[v].first)
-      result.push_back(before[v].second);
-    return result;
-  }
+  std::vector<Edge> shortest_way(std::int32_t from, std::int32_t to) const;
 
   const std::vector<std::array<std::int32_t, 3>>& m_elements;
   const std::vector<std::array<std::int32_t, 3>>& m_neighbors;
@@ -225,5 +89,9 @@ private:
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_SPLITTER_H

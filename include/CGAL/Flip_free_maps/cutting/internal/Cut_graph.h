@@ -12,15 +12,12 @@
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_surface.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
 #include <queue>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -39,17 +36,7 @@ class Cut_graph
 {
 public:
   // `costs` of edges by which seams are kept short.
-  Cut_graph(const Cut_surface& surface, const Cut_opening& opening, const std::vector<double>& costs)
-    : m_surface(surface), m_opening(opening), m_costs(costs), m_is_cut(surface.edge_halfedge.size(), 0)
-  {
-    number_nodes();
-    build_neighbors();
-    m_degrees.assign(number_of_nodes(), 0);
-    m_is_kept.assign(number_of_nodes(), 0);
-    m_distances.assign(number_of_nodes(), infinity());
-    m_predecessors.assign(number_of_nodes(), -1);
-    m_marks.assign(number_of_nodes(), 0);
-  }
+  Cut_graph(const Cut_surface& surface, const Cut_opening& opening, const std::vector<double>& costs);
 
   std::int32_t number_of_nodes() const { return static_cast<std::int32_t>(m_piece_of_node.size()); }
   std::int32_t node_of(std::int32_t corner) const { return m_node_of_copy[m_opening.copy_of[corner]]; }
@@ -118,69 +105,10 @@ public:
 
   // Keeps nodes as ends of seams, and joins them to the seams of their pieces by short paths, the nearest first. Where a piece
   // has no seams, the borders serve as such, and the first of the nodes if there are none or the borders are to be joined, too.
-  void connect(const std::vector<std::int32_t>& ends)
-  {
-    std::fill(m_distances.begin(), m_distances.end(), infinity());
-    std::fill(m_predecessors.begin(), m_predecessors.end(), -1);
-    std::vector<char> is_source_in(m_opening.number_of_pieces(), 0);
-    std::vector<char> is_waiting(number_of_nodes(), 0);
-    std::int32_t waiting = 0;
-    for(std::int32_t n : ends)
-      if(m_degrees[n] == 0 && !is_waiting[n] && !m_is_kept[n]) {
-        is_waiting[n] = 1;
-        ++waiting;
-      }
-    Cut_queue queue;
-    const auto add_source = [&](std::int32_t n) {
-      m_distances[n] = 0;
-      m_predecessors[n] = -1;
-      queue.emplace(0., n);
-      is_source_in[m_piece_of_node[n]] = 1;
-    };
-    for(std::int32_t n = 0; n < number_of_nodes(); ++n)
-      if(!is_waiting[n] && (m_degrees[n] > 0 || m_is_kept[n] || is_loop(n)))
-        add_source(n);
-    for(std::int32_t n : ends) {
-      m_is_kept[n] = 1;
-      if(is_waiting[n] && !is_source_in[m_piece_of_node[n]]) {
-        is_waiting[n] = 0;
-        --waiting;
-        add_source(n);
-      }
-    }
-    while(!queue.empty() && waiting > 0) {
-      const auto [distance, n] = queue.top();
-      queue.pop();
-      if(distance > m_distances[n])
-        continue;
-      if(is_waiting[n]) {
-        is_waiting[n] = 0;
-        --waiting;
-        std::int32_t v = n;
-        while(m_predecessors[v] >= 0) {
-          const std::int32_t e = m_predecessors[v], w = other_end(e, v);
-          set_cut(e, true);
-          add_source(v);
-          v = w;
-        }
-        continue;
-      }
-      relax(n, distance, queue, infinity());
-    }
-  }
+  void connect(const std::vector<std::int32_t>& ends);
 
   // Removes dangling seams that lead to no node that is kept.
-  void prune()
-  {
-    for(std::int32_t n = 0; n < number_of_nodes(); ++n) {
-      std::int32_t v = n;
-      while(m_degrees[v] == 1 && !m_is_kept[v] && !is_loop(v)) {
-        const std::int32_t e = first_cut_edge(v);
-        set_cut(e, false);
-        v = other_end(e, v);
-      }
-    }
-  }
+  void prune();
 
   // Replaces chains of seam edges between branchings by shorter ones. Without a chain the complement is an annulus, which any
   // path from one of its borders to the other cuts to a disk again: the shortest is taken, wherever its ends are.
@@ -202,45 +130,13 @@ public:
   }
 
   // Adds an edge to each isolated seam edge: a border of two edges is none of a triangulated disk.
-  void extend_single_edges()
-  {
-    for(std::int32_t n = 0; n < m_opening.number_of_loops(); ++n)
-      if(m_opening.loop_sizes[n] == 2 && m_degrees[n] == 0)
-        extend(n, -1);
-    for(std::int32_t e = 0; e < m_surface.number_of_edges(); ++e)
-      if(m_is_cut[e]) {
-        const auto [a, b] = ends_of(e);
-        if(a != b && !is_loop(a) && !is_loop(b) && m_degrees[a] == 1 && m_degrees[b] == 1)
-          extend(a, e);
-      }
-  }
+  void extend_single_edges();
 
   // An edge on its own, which `extend_single_edges()` makes a path of two.
-  void cut_slit(std::int32_t node)
-  {
-    const std::int32_t e = m_neighbors[m_first_neighbors[node]].edge;
-    set_cut(e, true);
-    m_is_kept[node] = m_is_kept[other_end(e, node)] = 1;
-  }
+  void cut_slit(std::int32_t node);
 
   // Distances from some nodes.
-  const std::vector<double>& find_distances(const std::vector<std::int32_t>& sources)
-  {
-    std::fill(m_distances.begin(), m_distances.end(), infinity());
-    std::fill(m_predecessors.begin(), m_predecessors.end(), -1);
-    Cut_queue queue;
-    for(std::int32_t n : sources) {
-      m_distances[n] = 0;
-      queue.emplace(0., n);
-    }
-    while(!queue.empty()) {
-      const auto [distance, n] = queue.top();
-      queue.pop();
-      if(distance <= m_distances[n])
-        relax(n, distance, queue, infinity());
-    }
-    return m_distances;
-  }
+  const std::vector<double>& find_distances(const std::vector<std::int32_t>& sources);
 
 private:
   static constexpr int NUMBER_OF_BASES = 6;
@@ -259,83 +155,19 @@ private:
 
   static double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  std::pair<std::int32_t, std::int32_t> ends_of(std::int32_t e) const
-  {
-    const std::int32_t h = m_surface.edge_halfedge[e];
-    return {node_of(h), node_of(Cut_surface::next(h))};
-  }
+  std::pair<std::int32_t, std::int32_t> ends_of(std::int32_t e) const;
 
-  std::int32_t other_end(std::int32_t e, std::int32_t node) const
-  {
-    const auto [a, b] = ends_of(e);
-    return a == node ? b : a;
-  }
+  std::int32_t other_end(std::int32_t e, std::int32_t node) const;
 
-  void set_cut(std::int32_t e, bool is_cut)
-  {
-    if(static_cast<bool>(m_is_cut[e]) == is_cut)
-      return;
-    m_is_cut[e] = is_cut;
-    const auto [a, b] = ends_of(e);
-    m_degrees[a] += is_cut ? 1 : -1;
-    m_degrees[b] += is_cut ? 1 : -1;
-  }
+  void set_cut(std::int32_t e, bool is_cut);
 
-  void number_nodes()
-  {
-    m_node_of_copy = m_opening.loop_of;
-    for(std::int32_t h : m_opening.loop_halfedges)
-      m_piece_of_node.push_back(m_opening.piece_of[h / 3]);
-    for(std::size_t copy = 0; copy < m_node_of_copy.size(); ++copy)
-      if(m_node_of_copy[copy] < 0) {
-        m_node_of_copy[copy] = number_of_nodes();
-        m_piece_of_node.push_back(m_opening.piece_of[m_opening.first_corner[copy] / 3]);
-      }
-  }
+  void number_nodes();
 
-  void build_neighbors()
-  {
-    m_first_neighbors.assign(number_of_nodes() + 1, 0);
-    const auto for_each_edge = [this](auto&& f) {
-      for(std::int32_t e = 0; e < m_surface.number_of_edges(); ++e)
-        if(!m_opening.is_border(m_surface.edge_halfedge[e])) {
-          const auto [a, b] = ends_of(e);
-          f(e, a, b);
-        }
-    };
-    for_each_edge([this](std::int32_t, std::int32_t a, std::int32_t b) {
-      ++m_first_neighbors[a + 1];
-      ++m_first_neighbors[b + 1];
-    });
-    std::partial_sum(m_first_neighbors.begin(), m_first_neighbors.end(), m_first_neighbors.begin());
-    m_neighbors.resize(m_first_neighbors.back());
-    std::vector<std::int32_t> place(m_first_neighbors.begin(), m_first_neighbors.end() - 1);
-    for_each_edge([&](std::int32_t e, std::int32_t a, std::int32_t b) {
-      m_neighbors[place[a]++] = {e, b};
-      m_neighbors[place[b]++] = {e, a};
-    });
-  }
+  void build_neighbors();
 
-  void relax(std::int32_t n, double distance, Cut_queue& queue, double bound)
-  {
-    for(std::int32_t i = m_first_neighbors[n]; i < m_first_neighbors[n + 1]; ++i) {
-      const Neighbor& neighbor = m_neighbors[i];
-      const double d = distance + m_costs[neighbor.edge];
-      if(d < m_distances[neighbor.node] && d < bound) {
-        m_distances[neighbor.node] = d;
-        m_predecessors[neighbor.node] = neighbor.edge;
-        queue.emplace(d, neighbor.node);
-      }
-    }
-  }
+  void relax(std::int32_t n, double distance, Cut_queue& queue, double bound);
 
-  std::int32_t first_cut_edge(std::int32_t n) const
-  {
-    std::int32_t i = m_first_neighbors[n];
-    while(!m_is_cut[m_neighbors[i].edge])
-      ++i;
-    return m_neighbors[i].edge;
-  }
+  std::int32_t first_cut_edge(std::int32_t n) const;
 
   // From the tree of shortest paths in m_predecessors, and the tree of faces that crosses edges of long loops first: cuts the
   // edges that are in neither, with their paths to the base.
@@ -385,247 +217,38 @@ private:
 
   bool is_end_of_chains(std::int32_t n) const { return m_degrees[n] != 2 || m_is_kept[n] || is_loop(n); }
 
-  std::vector<Chain> chains() const
-  {
-    std::vector<Chain> result;
-    std::vector<char> is_done(m_is_cut.size(), 0);
-    for(std::int32_t n = 0; n < number_of_nodes(); ++n) {
-      if(m_degrees[n] == 0 || !is_end_of_chains(n))
-        continue;
-      for(std::int32_t i = m_first_neighbors[n]; i < m_first_neighbors[n + 1]; ++i) {
-        std::int32_t e = m_neighbors[i].edge, v = m_neighbors[i].node;
-        if(!m_is_cut[e] || is_done[e])
-          continue;
-        Chain chain{{e}, n, v, m_costs[e]};
-        is_done[e] = 1;
-        while(!is_end_of_chains(v)) {
-          e = cut_edge_after(e, v);
-          v = other_end(e, v);
-          is_done[e] = 1;
-          chain.edges.push_back(e);
-          chain.cost += m_costs[e];
-        }
-        chain.end = v;
-        result.push_back(std::move(chain));
-      }
-    }
-    return result;
-  }
+  std::vector<Chain> chains() const;
 
-  std::int32_t cut_edge_after(std::int32_t e, std::int32_t n) const
-  {
-    std::int32_t i = m_first_neighbors[n];
-    while(!m_is_cut[m_neighbors[i].edge] || m_neighbors[i].edge == e)
-      ++i;
-    return m_neighbors[i].edge;
-  }
+  std::int32_t cut_edge_after(std::int32_t e, std::int32_t n) const;
 
   // The chain may have changed since it was listed: it is left alone then.
-  bool is_still(const Chain& chain) const
-  {
-    std::int32_t v = chain.begin;
-    for(std::size_t i = 0; i < chain.edges.size(); ++i) {
-      if(!m_is_cut[chain.edges[i]] || (i > 0 && is_end_of_chains(v)))
-        return false;
-      v = other_end(chain.edges[i], v);
-    }
-    return true;
-  }
+  bool is_still(const Chain& chain) const;
 
-  double shorten(const Chain& chain)
-  {
-    if(chain.edges.size() < 2 || !is_still(chain))
-      return 0;
-    for(std::int32_t e : chain.edges)
-      set_cut(e, false);
-    const std::vector<std::int32_t> begin_side = connected_to(chain.begin, 1);
-    std::vector<std::int32_t> path;
-    if(m_marks[chain.end] != 1) {
-      const std::vector<std::int32_t> end_side = connected_to(chain.end, 2);
-      path = path_between_sides(begin_side, chain.cost);
-      clear_marks(end_side);
-    } else {
-      path = path_across_annulus(chain);
-    }
-    clear_marks(begin_side);
-    double cost = 0;
-    for(std::int32_t e : path)
-      cost += m_costs[e];
-    const bool is_better = !path.empty() && cost < chain.cost * (1 - 1e-9);
-    for(std::int32_t e : is_better ? path : chain.edges)
-      set_cut(e, true);
-    return is_better ? chain.cost - cost : 0;
-  }
+  double shorten(const Chain& chain);
 
-  std::vector<std::int32_t> connected_to(std::int32_t node, char mark)
-  {
-    std::vector<std::int32_t> nodes{node};
-    m_marks[node] = mark;
-    for(std::size_t q = 0; q < nodes.size(); ++q)
-      for(std::int32_t i = m_first_neighbors[nodes[q]]; i < m_first_neighbors[nodes[q] + 1]; ++i)
-        if(m_is_cut[m_neighbors[i].edge] && m_marks[m_neighbors[i].node] == 0) {
-          m_marks[m_neighbors[i].node] = mark;
-          nodes.push_back(m_neighbors[i].node);
-        }
-    return nodes;
-  }
+  std::vector<std::int32_t> connected_to(std::int32_t node, char mark);
 
-  void clear_marks(const std::vector<std::int32_t>& nodes)
-  {
-    for(std::int32_t n : nodes)
-      m_marks[n] = 0;
-  }
+  void clear_marks(const std::vector<std::int32_t>& nodes);
 
   // The shortest path from some nodes, which are marked 1, to nodes marked 2 that meets no other seam and no other border; empty
   // if none is shorter than the bound.
-  std::vector<std::int32_t> path_between_sides(const std::vector<std::int32_t>& begin_side, double bound)
-  {
-    std::vector<std::int32_t> path, reached = begin_side;
-    Cut_queue queue;
-    for(std::int32_t n : begin_side) {
-      m_distances[n] = 0;
-      m_predecessors[n] = -1;
-      queue.emplace(0., n);
-    }
-    while(!queue.empty()) {
-      const auto [distance, n] = queue.top();
-      queue.pop();
-      if(distance > m_distances[n])
-        continue;
-      if(m_marks[n] == 2) {
-        for(std::int32_t v = n; m_predecessors[v] >= 0;) {
-          path.push_back(m_predecessors[v]);
-          v = other_end(path.back(), v);
-        }
-        break;
-      }
-      for(std::int32_t i = m_first_neighbors[n]; i < m_first_neighbors[n + 1]; ++i) {
-        const auto [e, w] = m_neighbors[i];
-        const double d = distance + m_costs[e];
-        if(!(d < bound && d < m_distances[w]) || (m_marks[w] == 0 && is_on_cut(w)))
-          continue;
-        if(m_distances[w] == infinity())
-          reached.push_back(w);
-        m_distances[w] = d;
-        m_predecessors[w] = e;
-        queue.emplace(d, w);
-      }
-    }
-    for(std::int32_t n : reached)
-      m_distances[n] = infinity();
-    return path;
-  }
+  std::vector<std::int32_t> path_between_sides(const std::vector<std::int32_t>& begin_side, double bound);
 
   bool is_on_border(std::int32_t h) const { return m_opening.is_border(h) || m_is_cut[m_surface.edge_of[h]]; }
 
   // The first corner of the fan between seams that a corner belongs to, the one whose halfedge is on a seam or border; -1 where
   // there is none around the vertex.
-  std::int32_t first_of_fan(std::int32_t corner) const
-  {
-    std::int32_t first = corner;
-    while(!is_on_border(first)) {
-      first = Cut_surface::next(m_surface.opposite[first]);
-      if(first == corner)
-        return -1;
-    }
-    return first;
-  }
+  std::int32_t first_of_fan(std::int32_t corner) const;
 
   // The first corners of the fans along a border of the surface that is opened along all seams.
-  std::vector<std::int32_t> fans_along_border(std::int32_t first) const
-  {
-    std::vector<std::int32_t> fans;
-    std::int32_t h = first;
-    do {
-      fans.push_back(h);
-      h = first_of_fan(Cut_surface::next(h));
-    } while(h != first);
-    return fans;
-  }
+  std::vector<std::int32_t> fans_along_border(std::int32_t first) const;
 
   // The same where the seams stay connected without the chain: its two sides are different borders of the surface that is opened
   // along them. The ends of paths are fans there, known by their first corners, and vertices that are not on seams,
   // known by -1 - vertex.
-  std::vector<std::int32_t> path_across_annulus(const Chain& chain) const
-  {
-    const auto fan_at = [this](std::int32_t e, std::int32_t node) {
-      const std::int32_t h = m_surface.edge_halfedge[e];
-      return first_of_fan(node_of(h) == node ? h : m_surface.opposite[h]);
-    };
-    const std::int32_t from = fan_at(chain.edges.front(), chain.begin), to = fan_at(chain.edges.back(), chain.end);
-    std::vector<std::int32_t> path;
-    if(from < 0 || to < 0)
-      return path;
-    struct State
-    {
-      double distance;
-      std::int32_t corner; // of which it is the place
-      std::int32_t back;   // the halfedge that leads there from the place before, -1 at the beginning
-    };
-    std::unordered_map<std::int32_t, State> reached;
-    Cut_queue queue;
-    for(std::int32_t fan : fans_along_border(from)) {
-      reached[fan] = {0., fan, -1};
-      queue.emplace(0., fan);
-    }
-    if(reached.count(to) != 0)
-      return path;
-    std::unordered_set<std::int32_t> goal;
-    for(std::int32_t fan : fans_along_border(to))
-      goal.insert(fan);
-    const auto place_of = [this](std::int32_t corner) {
-      const std::int32_t fan = first_of_fan(corner);
-      return fan >= 0 ? fan : -1 - m_surface.source(corner);
-    };
-    while(!queue.empty()) {
-      const auto [distance, place] = queue.top();
-      queue.pop();
-      const State state = reached.at(place);
-      if(distance > state.distance)
-        continue;
-      if(goal.count(place) != 0) {
-        for(std::int32_t h = state.back; h >= 0; h = reached.at(place_of(Cut_surface::next(h))).back)
-          path.push_back(m_surface.edge_of[h]);
-        break;
-      }
-      // From the first corner of a fan all of it is met.
-      const std::int32_t begin = place >= 0 ? place : state.corner;
-      std::int32_t corner = begin;
-      do {
-        const std::int32_t h = Cut_surface::prev(corner);
-        if(is_on_border(h))
-          break;
-        const double d = distance + m_costs[m_surface.edge_of[h]];
-        const std::int32_t neighbor = d < chain.cost ? place_of(h) : place;
-        if(neighbor != place && (neighbor < 0 || goal.count(neighbor) != 0)) {
-          const auto entry = reached.emplace(neighbor, State{d, h, h});
-          if(entry.second || d < entry.first->second.distance) {
-            entry.first->second = {d, h, h};
-            queue.emplace(d, neighbor);
-          }
-        }
-        corner = m_surface.opposite[h];
-      } while(corner != begin);
-    }
-    return path;
-  }
+  std::vector<std::int32_t> path_across_annulus(const Chain& chain) const;
 
-  void extend(std::int32_t node, std::int32_t besides)
-  {
-    // Away from other seams if possible.
-    std::int32_t best = -1;
-    double best_cost = infinity();
-    for(std::int32_t i = m_first_neighbors[node]; i < m_first_neighbors[node + 1]; ++i) {
-      const auto [e, w] = m_neighbors[i];
-      const double cost = m_costs[e] + (is_on_cut(w) ? 1e3 : 0.);
-      if(e != besides && w != node && cost < best_cost) {
-        best = e;
-        best_cost = cost;
-      }
-    }
-    if(best >= 0)
-      set_cut(best, true);
-  }
+  void extend(std::int32_t node, std::int32_t besides);
 
   const Cut_surface& m_surface;
   const Cut_opening& m_opening;
@@ -644,5 +267,9 @@ private:
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/cutting/internal/Cut_graph_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_CUTTING_INTERNAL_CUT_GRAPH_H

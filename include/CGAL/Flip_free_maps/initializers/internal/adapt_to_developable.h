@@ -18,10 +18,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include <cmath>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -30,27 +27,7 @@ namespace internal {
 // The sum of |2 pi - angles| over the inner vertices of a disk: 0 for developable surfaces, 4 pi or more for most closed surfaces
 // that were cut open. A hole adds the total curvature of whatever would close it (theorem of Gauss and Bonnet): 0 in a sheet that
 // was flat, 2 pi at the end of a cylinder.
-inline double total_curvature(const Simplicial_domain<2>& domain)
-{
-  std::vector<double> defects = angle_sums(domain);
-  for(double& defect : defects)
-    defect = 2 * CGAL_PI - defect;
-  for(std::int32_t v : domain.border)
-    defects[v] = 0;
-  double sum = 0;
-  for(const auto& hole : domain.holes) {
-    // The angles of the filling are what is left of 2 pi at each vertex; they turn its border by pi minus that.
-    double curvature = 2 * CGAL_PI;
-    for(std::int32_t v : hole) {
-      curvature -= CGAL_PI - defects[v];
-      defects[v] = 0;
-    }
-    sum += std::abs(curvature);
-  }
-  for(double defect : defects)
-    sum += std::abs(defect);
-  return sum;
-}
+double total_curvature(const Simplicial_domain<2>& domain);
 
 // Whether isometries are strict minima of the energy, but for rotations.
 template <typename Energy>
@@ -89,5 +66,9 @@ void adapt_to_developable(const Simplicial_domain<2>& domain, Traits& traits)
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/initializers/internal/adapt_to_developable_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_ADAPT_TO_DEVELOPABLE_H

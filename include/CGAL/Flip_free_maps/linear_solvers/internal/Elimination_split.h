@@ -155,20 +155,10 @@ private:
   }
 
   // What a separator costs beyond the subtrees: its matrix is dense, and is made, added up and factorized.
-  static double dense_work(std::size_t size)
-  {
-    const double s = static_cast<double>(size);
-    return s * s * s;
-  }
+  static double dense_work(std::size_t size);
 
   // The time of two threads, in units of work.
-  static double cost_of(std::priority_queue<Subtree> queue, std::size_t separator_size)
-  {
-    std::array<double, 2> load = {{0, 0}};
-    for(; !queue.empty(); queue.pop())
-      load[load[1] < load[0] ? 1 : 0] += queue.top().first;
-    return (std::max)(load[0], load[1]) + dense_work(separator_size);
-  }
+  static double cost_of(std::priority_queue<Subtree> queue, std::size_t separator_size);
 
   double m_gain = 1;
   std::array<std::vector<std::int32_t>, 2> m_parts;
@@ -178,5 +168,9 @@ private:
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Elimination_split_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_ELIMINATION_SPLIT_H

@@ -17,11 +17,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
@@ -30,84 +25,16 @@ namespace internal {
 class Distortion_measure
 {
 public:
-  Distortion_measure()
-  {
-    m_report.min_singular_value = std::numeric_limits<double>::infinity();
-    m_report.max_singular_value = -std::numeric_limits<double>::infinity();
-  }
+  Distortion_measure();
 
   // Enters the triangle with the given columns of corners in space and in the plane. Returns its symmetric Dirichlet energy,
   // +infinity when it is not positively oriented; NaN, with the report's status set, when the triangle cannot be measured.
-  double add(const Matrix<3>& points, const Eigen::Matrix<double, 2, 3>& image)
-  {
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    const double infinity = std::numeric_limits<double>::infinity();
-    if(!points.allFinite() || !image.allFinite())
-      return fail(Status::non_finite_input, "a coordinate is NaN or infinite in face number ");
-    // The unit of length has the magnitude of the first triangle, so that areas neither overflow nor vanish. It is a power of
-    // two, which rounds nothing.
-    Matrix<3> scaled_points = points;
-    scaled_points.colwise() -= points.col(0).eval();
-    if(m_report.elements == 0) {
-      const double extent = scaled_points.cwiseAbs().maxCoeff();
-      m_exponent = extent > 0 && std::isfinite(extent) ? std::ilogb(extent) : 0;
-    }
-    const auto in_units = [this](double x) { return std::ldexp(x, -m_exponent); };
-    scaled_points = scaled_points.unaryExpr(in_units).eval();
-    Matrix<2> rest_inverse;
-    double area;
-    if(!planar_rest_shape(scaled_points.col(0), scaled_points.col(1), scaled_points.col(2), rest_inverse, area))
-      return fail(Status::degenerate_rest_element, "zero area, or none within double precision, has face number ");
-    Matrix<2> edges;
-    edges << image.col(1) - image.col(0), image.col(2) - image.col(0);
-    edges = edges.unaryExpr(in_units).eval();
-    const Vector<2> s = signed_singular_values(Matrix<2>(edges * rest_inverse));
-    const bool is_positive = Kernel::Orientation_2()(Kernel::Point_2(image(0, 0), image(1, 0)), Kernel::Point_2(image(0, 1), image(1, 1)),
-                                                     Kernel::Point_2(image(0, 2), image(1, 2))) == CGAL::POSITIVE;
-    // A triangle may be positive, but too thin for its singular values to be so.
-    const bool is_valid = is_positive && s[1] > 0;
-    const double energy = is_valid ? Symmetric_dirichlet().value<2>(s) : infinity;
-    ++m_report.elements;
-    m_report.flips += is_positive ? 0 : 1;
-    m_report.rest_area += area;
-    m_report.image_area += area * s.prod();
-    m_report.energy += area * energy;
-    m_report.max_energy = (std::max)(m_report.max_energy, energy);
-    m_report.mean_angle_distortion += area * (is_valid ? 0.5 * (s[0] / s[1] + s[1] / s[0]) : infinity);
-    m_report.mean_area_distortion += area * (is_valid ? 0.5 * (s.prod() + 1 / s.prod()) : infinity);
-    m_report.min_singular_value = (std::min)(m_report.min_singular_value, s[1]);
-    m_report.max_singular_value = (std::max)(m_report.max_singular_value, s[0]);
-    m_squares += area * s.squaredNorm();
-    m_inverse_squares += area * (is_valid ? s.array().square().inverse().sum() : infinity);
-    return energy;
-  }
+  double add(const Matrix<3>& points, const Eigen::Matrix<double, 2, 3>& image);
 
-  double fail(Status status, const char* text)
-  {
-    m_report.status = status;
-    m_report.message = text + std::to_string(m_report.elements);
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+  double fail(Status status, const char* text);
 
   // The means, when no triangle failed.
-  Distortion_report report()
-  {
-    if(!m_report.message.empty())
-      return m_report;
-    if(m_report.elements == 0) {
-      m_report.message = "there are no faces";
-      return m_report;
-    }
-    m_report.status = Status::success;
-    m_report.energy /= m_report.rest_area;
-    m_report.mean_angle_distortion /= m_report.rest_area;
-    m_report.mean_area_distortion /= m_report.rest_area;
-    // Scaling the image by t makes it (t^2 a + b / t^2) / 4, smallest for t^4 = b / a.
-    m_report.energy_of_similarity = 0.5 * std::sqrt(m_squares / m_report.rest_area) * std::sqrt(m_inverse_squares / m_report.rest_area);
-    m_report.rest_area = std::ldexp(m_report.rest_area, 2 * m_exponent);
-    m_report.image_area = std::ldexp(m_report.image_area, 2 * m_exponent);
-    return m_report;
-  }
+  Distortion_report report();
 
 private:
   Distortion_report m_report;
@@ -119,5 +46,9 @@ private:
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/measure/internal/Distortion_measure_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_MEASURE_INTERNAL_DISTORTION_MEASURE_H

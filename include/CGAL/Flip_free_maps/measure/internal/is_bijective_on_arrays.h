@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -31,27 +30,7 @@ namespace internal {
 // Whether a map of triangles is injective, borders included. A point of the plane is the image of as many points of the surface
 // as the borders wind around it, since all triangles are positive;
 // so it suffices that the borders are disjoint and wind around nothing twice.
-inline bool is_bijective(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x, std::string* message = nullptr)
-{
-  if(!x.allFinite())
-    return fail(message, "a coordinate of the map is NaN or infinite");
-  for(const auto& element : elements)
-    if(!is_positively_oriented<Exact_kernel>(element, x))
-      return fail(message, "a triangle is flipped or collapsed");
-  Border_curves border;
-  if(!border.load(elements, static_cast<std::int32_t>(x.cols())))
-    return fail(message, "the surface touches itself at a vertex or an edge");
-  bool is_crossed = false;
-  border.for_each_crossing(x, [&is_crossed](std::int32_t, std::int32_t) {
-    is_crossed = true;
-    return false;
-  });
-  if(is_crossed)
-    return fail(message, "the image of the border crosses or touches itself");
-  if(!border.are_nested(x))
-    return fail(message, "a part of the surface covers another one");
-  return true;
-}
+bool is_bijective(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x, std::string* message = nullptr);
 
 inline bool is_bijective(const Simplicial_domain<2>& domain, const Positions<2>& x, std::string* message = nullptr)
 {
@@ -101,5 +80,9 @@ private:
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_MEASURE_INTERNAL_IS_BIJECTIVE_ON_ARRAYS_H

@@ -116,31 +116,7 @@ private:
 
   static std::string numbered(std::size_t face) { return "face number " + std::to_string(face); }
 
-  Status check(std::string& message)
-  {
-    const auto point = [this](std::int32_t v) -> const Kernel::Point_3& { return m_mesh.point(Mesh::Vertex_index(v)); };
-    CGAL::Bbox_3 box;
-    for(std::size_t i = 0; i < m_triangles.size(); ++i) {
-      const std::array<std::int32_t, 3>& t = m_triangles[i];
-      if(Kernel().collinear_3_object()(point(t[0]), point(t[1]), point(t[2]))) {
-        message = "zero area has " + numbered(i);
-        return Status::degenerate_rest_element;
-      }
-      for(const std::int32_t v : t)
-        box += point(v).bbox();
-    }
-    m_low = Kernel::Point_3(box.xmin(), box.ymin(), box.zmin());
-    m_high = Kernel::Point_3(box.xmax(), box.ymax(), box.zmax());
-    if(!std::isfinite(diagonal()) || !(diagonal() > 0)) {
-      message = "the extent of the surface is not in the range of double precision";
-      return Status::non_finite_input;
-    }
-    if(CGAL::Polygon_mesh_processing::does_self_intersect(m_mesh)) {
-      message = "the surface intersects itself";
-      return Status::non_manifold;
-    }
-    return Status::success;
-  }
+  Status check(std::string& message);
 
   Mesh m_mesh;
   std::vector<std::array<std::int32_t, 3>> m_triangles;
@@ -163,5 +139,9 @@ Status load_closed_surface(const FaceGraph& surface, const Options& options, con
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/tetrahedralization/internal/Closed_surface_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZATION_INTERNAL_CLOSED_SURFACE_H

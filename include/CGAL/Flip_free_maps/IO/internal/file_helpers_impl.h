@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_IMPL_H
+
+#include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+#include <CGAL/Flip_free_maps/internal/inline.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+CGAL_FLIP_FREE_MAPS_INLINE void append_number(std::string& text, double value)
+{
+  char buffer[40];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void append_number(std::string& text, double value, int digits)
+{
+  char buffer[40];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, digits).ptr);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void append_number(std::string& text, long long value)
+{
+  char buffer[24];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::string quoted_word(std::string_view word)
+{
+  std::string result = "'";
+  for(const char c : word.substr(0, 40))
+    result += (c >= ' ' && c <= '~') ? c : '?';
+  return result + (word.size() > 40 ? "...'" : "'");
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool write_whole_file(const std::string& path, const std::string& content, std::string* message)
+{
+  errno = 0;
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if(file == nullptr)
+    return fail(message, "cannot open " + path + " for writing: " + std::strerror(errno));
+
+  bool is_written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
+  is_written = (std::fflush(file) == 0) && is_written;
+  const int write_error = errno;
+  is_written = (std::fclose(file) == 0) && is_written;
+  if(!is_written)
+    return fail(message, "cannot write " + path + ": " + std::strerror(write_error != 0 ? write_error : errno));
+  return succeed(message);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool read_whole_file(const std::string& path, std::string& content, std::string* message)
+{
+  errno = 0;
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if(file == nullptr)
+    return fail(message, "cannot open " + path + ": " + std::strerror(errno));
+
+  content.clear();
+  std::string chunk(std::size_t(1) << 20, '\0');
+  for(std::size_t length; (length = std::fread(&chunk[0], 1, chunk.size(), file)) > 0;)
+    content.append(chunk, 0, length);
+  const bool is_read = std::ferror(file) == 0;
+  const int read_error = errno;
+  std::fclose(file);
+  if(!is_read)
+    return fail(message, "cannot read " + path + ": " + std::strerror(read_error));
+  return true;
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_IO_INTERNAL_FILE_HELPERS_IMPL_H

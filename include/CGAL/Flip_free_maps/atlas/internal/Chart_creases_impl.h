@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_CREASES_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_CREASES_IMPL_H
+
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
+#include <CGAL/Flip_free_maps/internal/inline.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+CGAL_FLIP_FREE_MAPS_INLINE double turning_angle(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b,
+                                                const Positions<3>& points)
+{
+  const auto normal = [&points](const std::array<std::int32_t, 3>& v) {
+    const Vector<3> p = points.col(v[1]) - points.col(v[0]), q = points.col(v[2]) - points.col(v[0]);
+    return Vector<3>(p.cross(q));
+  };
+  const Vector<3> m = normal(a), n = normal(b);
+  return std::atan2(m.cross(n).norm(), m.dot(n));
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE Chart_creases::Chart_creases(const std::vector<std::array<std::int32_t, 3>>& elements,
+                                                        const std::vector<std::array<std::int32_t, 3>>& neighbors,
+                                                        const Positions<3>& points, double sharp_angle)
+  : m_elements(elements), m_neighbors(neighbors), m_points(points)
+{
+  m_is_sharp.assign(elements.size(), {{0, 0, 0}});
+  for(std::size_t e = 0; e < elements.size(); ++e)
+    for(int k = 0; k < 3; ++k)
+      if(neighbors[e][k] >= 0)
+        m_is_sharp[e][k] = turning_angle(elements[e], elements[neighbors[e][k]], points) >= sharp_angle;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_creases::Side> Chart_creases::cuts()
+{
+  std::vector<Side> result;
+  if(!is_constructed())
+    return result;
+  find_regions();
+  const std::vector<char> is_hinge = find_hinges();
+  for(std::size_t b = 0; b < m_borders.size(); ++b)
+    if(!is_hinge[b])
+      result.insert(result.end(), m_borders[b].sides.begin(), m_borders[b].sides.end());
+  return result;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_creases::is_constructed() const
+{
+  std::vector<double> curvatures(m_points.cols(), 2 * CGAL_PI);
+  std::vector<char> is_inner(m_points.cols(), 1), has_sharp_edge(m_points.cols(), 0);
+  std::int64_t sharp = 0, smooth = 0;
+  for(std::size_t e = 0; e < m_elements.size(); ++e)
+    for(int k = 0; k < 3; ++k) {
+      const std::int32_t v = m_elements[e][k], w = m_elements[e][(k + 1) % 3];
+      const Vector<3> a = m_points.col(w) - m_points.col(v), b = m_points.col(m_elements[e][(k + 2) % 3]) - m_points.col(v);
+      curvatures[v] -= std::atan2(a.cross(b).norm(), a.dot(b));
+      if(m_neighbors[e][k] < 0)
+        is_inner[v] = is_inner[w] = 0;
+      if(m_is_sharp[e][k])
+        has_sharp_edge[v] = has_sharp_edge[w] = 1;
+      (m_is_sharp[e][k] ? sharp : smooth) += 1;
+    }
+  double at_sharp_edges = 0, elsewhere = 0;
+  for(std::size_t v = 0; v < curvatures.size(); ++v)
+    if(is_inner[v])
+      (has_sharp_edge[v] ? at_sharp_edges : elsewhere) += std::abs(curvatures[v]);
+  return sharp > 0 && static_cast<double>(smooth) >= SMALLEST_SMOOTH_PART * static_cast<double>(sharp + smooth) &&
+         at_sharp_edges >= SMALLEST_CURVATURE && elsewhere <= LARGEST_SMOOTH_PART_OF_CURVATURE * at_sharp_edges;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::find_regions()
+{
+  m_region.assign(m_elements.size(), -1);
+  std::int32_t number = 0;
+  for(std::size_t first = 0; first < m_elements.size(); ++first) {
+    if(m_region[first] >= 0)
+      continue;
+    std::vector<std::int32_t> front(1, static_cast<std::int32_t>(first));
+    m_region[first] = number;
+    while(!front.empty()) {
+      const std::int32_t e = front.back();
+      front.pop_back();
+      for(int k = 0; k < 3; ++k) {
+        const std::int32_t f = m_neighbors[e][k];
+        if(f >= 0 && !m_is_sharp[e][k] && m_region[f] < 0) {
+          m_region[f] = number;
+          front.push_back(f);
+        }
+      }
+    }
+    ++number;
+  }
+  m_outlines.assign(number, 0.);
+  std::map<std::array<std::int32_t, 2>, std::vector<Border>> lines;
+  for(std::size_t e = 0; e < m_elements.size(); ++e)
+    for(int k = 0; k < 3; ++k) {
+      const Side side(static_cast<std::int32_t>(e), k);
+      const std::int32_t f = m_neighbors[e][k], p = m_region[e], q = f < 0 ? -1 : m_region[f];
+      if(p == q)
+        continue;
+      m_outlines[p] += length(side);
+      if(q > p)
+        add(side, lines[{{p, q}}], {{p, q}});
+    }
+  m_borders.clear();
+  for(auto& entry : lines)
+    m_borders.insert(m_borders.end(), entry.second.begin(), entry.second.end());
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::add(Side side, std::vector<Border>& lines, const std::array<std::int32_t, 2>& regions) const
+{
+  const Vector<3> a = m_points.col(end(side, 0)), d = m_points.col(end(side, 1)) - a;
+  const auto is_on = [&](const Border& line) {
+    const Vector<3> b = m_points.col(end(line.sides[0], 0)), c = m_points.col(end(line.sides[0], 1)) - b;
+    return d.cross(c).norm() <= COLLINEAR * d.norm() * c.norm() && (a - b).cross(c).norm() <= COLLINEAR * (a - b).norm() * c.norm();
+  };
+  auto line = std::find_if(lines.begin(), lines.end(), is_on);
+  if(line == lines.end())
+    line = lines.insert(lines.end(), Border{regions, {}, 0.});
+  line->sides.push_back(side);
+  line->length += length(side);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<char> Chart_creases::find_hinges() const
+{
+  std::vector<std::size_t> order(m_borders.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) { return m_borders[a].length > m_borders[b].length; });
+  std::vector<std::int32_t> joined(m_outlines.size());
+  std::iota(joined.begin(), joined.end(), 0);
+  const auto root = [&joined](std::int32_t p) {
+    while(joined[p] != p)
+      p = joined[p] = joined[joined[p]];
+    return p;
+  };
+  std::vector<char> result(m_borders.size(), 0);
+  for(const std::size_t b : order) {
+    const auto& regions = m_borders[b].regions;
+    const std::int32_t p = root(regions[0]), q = root(regions[1]);
+    if(p == q || m_borders[b].length < SMALLEST_HINGE * (std::max)(m_outlines[regions[0]], m_outlines[regions[1]]))
+      continue;
+    joined[p] = q;
+    result[b] = 1;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_CREASES_IMPL_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_PACK_FLAT_CHARTS_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_PACK_FLAT_CHARTS_IMPL_H
+
+#include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
+#include <CGAL/Flip_free_maps/internal/inline.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+CGAL_FLIP_FREE_MAPS_INLINE Vector<2> direction_of_smallest_box(const Positions<2>& x)
+{
+  std::vector<Exact_kernel::Point_2> points, hull, box;
+  points.reserve(x.cols());
+  for(Eigen::Index v = 0; v < x.cols(); ++v)
+    points.emplace_back(x(0, v), x(1, v));
+  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+  if(hull.size() < 3)
+    return Vector<2>(1, 0);
+  CGAL::min_rectangle_2(hull.begin(), hull.end(), std::back_inserter(box));
+  Vector<2> direction(0, 0);
+  for(std::size_t k = 0; k + 1 < box.size(); ++k) {
+    const Vector<2> side(box[k + 1].x() - box[k].x(), box[k + 1].y() - box[k].y());
+    if(side.allFinite() && side.squaredNorm() > direction.squaredNorm())
+      direction = side;
+  }
+  return direction.squaredNorm() > 0 ? direction.normalized() : Vector<2>(1, 0);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool is_flip_free(const Flat_chart& chart, const Positions<2>& x)
+{
+  for(const auto& element : chart.elements)
+    if(!is_positively_oriented<Exact_kernel>(element, x))
+      return false;
+  return true;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE double signed_area(const Flat_chart& chart, const Positions<2>& x)
+{
+  double area = 0;
+  for(const auto& v : chart.elements) {
+    Matrix<2> edges;
+    edges << x.col(v[1]) - x.col(v[0]), x.col(v[2]) - x.col(v[0]);
+    area += 0.5 * edges.determinant();
+  }
+  return area;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const std::vector<Flat_chart>& charts,
+                                                                         const std::vector<Positions<2>>& turned,
+                                                                         const Rectangle_packer& boxes, const Packing_options& options,
+                                                                         const std::function<bool()>& must_stop, double& scale)
+{
+  // Many small charts hardly have dents for others; and large distances leave none.
+  const std::size_t most_charts = 2000;
+  const double largest_distance = 0.05;
+  std::vector<Outline_place> places;
+  for(const Rectangle_place& place : boxes.places())
+    places.push_back({place.x, place.y, place.is_turned ? 0. : 1., place.is_turned ? 1. : 0.});
+  scale = boxes.scale();
+  if(charts.size() > most_charts || options.distance() > largest_distance)
+    return places;
+  double area = 0;
+  std::vector<Chart_outline> outlines(charts.size());
+  for(std::size_t c = 0; c < charts.size(); ++c) {
+    area += signed_area(charts[c], turned[c]);
+    Border_curves border;
+    if(!border.load(charts[c].elements, static_cast<std::int32_t>(turned[c].cols())))
+      return places;
+    const Eigen::Index n = static_cast<Eigen::Index>(border.edges().size());
+    outlines[c].sources.resize(2, n);
+    outlines[c].targets.resize(2, n);
+    for(Eigen::Index i = 0; i < n; ++i) {
+      outlines[c].sources.col(i) = turned[c].col(border.edges()[i].source);
+      outlines[c].targets.col(i) = turned[c].col(border.edges()[i].target);
+    }
+  }
+  // In the square that is left within the sides' margin.
+  const double side = 1 - options.distance();
+  const int orientations = !options.rotate || charts.size() > 256 ? 4 : charts.size() > 32 ? 8 : 16;
+  Outline_packer packer(outlines, options.distance() / side, orientations);
+  if(packer.pack(scale / side, std::sqrt(1 / area), [&must_stop] { return must_stop && must_stop(); })) {
+    scale = packer.scale() * side;
+    places = packer.places();
+    for(Outline_place& place : places) {
+      place.x = options.distance() / 2 + place.x * side;
+      place.y = options.distance() / 2 + place.y * side;
+    }
+  }
+  return places;
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_PACK_FLAT_CHARTS_IMPL_H

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_PACK_CHARTS_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_PACK_CHARTS_IMPL_H
+
+#include <CGAL/Flip_free_maps/internal/inline.h>
+#include <CGAL/Flip_free_maps/pack_charts.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<Flat_chart> separate_charts(const std::vector<std::array<std::int32_t, 3>>& elements,
+                                                                   const Positions<2>& x)
+{
+  std::vector<std::int32_t> parent(x.cols());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](std::int32_t v) {
+    while(parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for(const auto& element : elements)
+    for(int k = 0; k < 2; ++k)
+      parent[root(element[k + 1])] = root(element[k]);
+  std::vector<Flat_chart> charts;
+  std::vector<std::int32_t> chart_of_root(x.cols(), -1), number(x.cols(), -1);
+  std::vector<std::vector<std::int32_t>> vertices;
+  for(std::size_t e = 0; e < elements.size(); ++e) {
+    std::int32_t& c = chart_of_root[root(elements[e][0])];
+    if(c < 0) {
+      c = static_cast<std::int32_t>(charts.size());
+      charts.emplace_back();
+      vertices.emplace_back();
+    }
+    std::array<std::int32_t, 3> element;
+    for(int k = 0; k < 3; ++k) {
+      std::int32_t& v = number[elements[e][k]];
+      if(v < 0) {
+        v = static_cast<std::int32_t>(vertices[c].size());
+        vertices[c].push_back(elements[e][k]);
+      }
+      element[k] = v;
+    }
+    charts[c].elements.push_back(element);
+    charts[c].faces.push_back(static_cast<std::int32_t>(e));
+  }
+  for(std::size_t c = 0; c < charts.size(); ++c) {
+    charts[c].x.resize(2, vertices[c].size());
+    for(std::size_t v = 0; v < vertices[c].size(); ++v)
+      charts[c].x.col(v) = x.col(vertices[c][v]);
+  }
+  return charts;
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_PACK_CHARTS_IMPL_H

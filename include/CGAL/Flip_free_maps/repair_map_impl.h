@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_REPAIR_MAP_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_REPAIR_MAP_IMPL_H
+
+#include <CGAL/Flip_free_maps/repair_map.h>
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+template Summary repair_map<2, Flip_free_map_traits<>>(const Simplicial_domain<2>&, Positions<2>&, const Position_constraints<2>&,
+                                                       const Repair_options&, const Flip_free_map_traits<>&);
+
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_REPAIR_MAP_IMPL_H
