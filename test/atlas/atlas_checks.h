@@ -13,6 +13,7 @@
 
 #include "cutting/cut_checks.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/is_bijective.h>
 #include <CGAL/Flip_free_maps/unwrap.h>
 

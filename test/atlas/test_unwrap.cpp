@@ -12,6 +12,7 @@
 
 #include "atlas/atlas_checks.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/pack_charts.h>
 
 #include <algorithm>

@@ -12,6 +12,7 @@
 
 #include "support/volume_checks.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/IO/Medit.h>
 #include <CGAL/Flip_free_maps/deform_volume.h>
 #include <CGAL/Flip_free_maps/domains/Mesh_complex_3_domain.h>

@@ -15,6 +15,7 @@
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
+#include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
 #include <cmath>
 #include <tuple>

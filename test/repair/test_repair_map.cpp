@@ -14,6 +14,7 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/repair_map.h>
 
 #include <CGAL/Simple_cartesian.h>

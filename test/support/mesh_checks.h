@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_TEST_SUPPORT_MESH_CHECKS_H
 #define CGAL_FLIP_FREE_MAPS_TEST_SUPPORT_MESH_CHECKS_H
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 

@@ -245,7 +245,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::find_overlap(const Open_piece& op
       rank[curve[i]] = static_cast<std::int32_t>(i);
   std::int32_t best = -1;
   int number = 0;
-  border.for_each_crossing(x, [&](std::int32_t i, std::int32_t j) {
+  const auto take_farthest = [&](std::int32_t i, std::int32_t j) {
     const Border_edge& a = border.edges()[i];
     const Border_edge& b = border.edges()[j];
     const std::int32_t length = static_cast<std::int32_t>(border.curves()[a.curve].size());
@@ -256,7 +256,15 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::find_overlap(const Open_piece& op
       overlap = {a.element, b.element};
     }
     return ++number < 100000;
-  });
+  };
+  border.for_each_crossing(x, take_farthest);
+  if(best < 0) {
+    // What is apart by rounding only would touch once the chart is turned and moved.
+    const double cosine = std::cos(1.), sine = std::sin(1.);
+    Matrix<2> rotation;
+    rotation << cosine, -sine, sine, cosine;
+    border.for_each_crossing(rotation * x, take_farthest);
+  }
   if(best < 0 && !border.are_nested(x)) {
     overlap = {0, 0};
     return true;
