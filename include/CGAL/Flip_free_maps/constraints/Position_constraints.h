@@ -45,28 +45,36 @@ struct Position_constraints
   bool empty() const { return fixed_vertices.empty() && soft_positions.empty(); }
 
   /// Checks the vertices' numbers, targets and weights; when one is off, says which in `*message` (if given) and returns `false`.
-  bool is_valid(std::int32_t number_of_vertices, std::string* message = nullptr) const
-  {
-    for(std::int32_t v : fixed_vertices)
-      if(v < 0 || v >= number_of_vertices)
-        return internal::fail(message, "a fixed vertex has the number " + std::to_string(v) + ", but there are " +
-                                         std::to_string(number_of_vertices));
-    for(std::size_t i = 0; i < soft_positions.size(); ++i) {
-      const Soft_position<D>& soft = soft_positions[i];
-      const auto fail = [&](const std::string& what) { // Users whose vertices have no numbers know the entry.
-        return internal::fail(message, "soft position number " + std::to_string(i) + ", of vertex number " + std::to_string(soft.vertex) +
-                                         ", " + what);
-      };
-      if(soft.vertex < 0 || soft.vertex >= number_of_vertices)
-        return fail("but there are " + std::to_string(number_of_vertices) + " vertices");
-      if(!soft.target.allFinite())
-        return fail("is not finite");
-      if(!(soft.weight >= 0) || !std::isfinite(soft.weight))
-        return fail("has a weight that is negative or not finite");
-    }
-    return true;
-  }
+  bool is_valid(std::int32_t number_of_vertices, std::string* message = nullptr) const;
 };
+
+template <int D>
+bool Position_constraints<D>::is_valid(std::int32_t number_of_vertices, std::string* message) const
+{
+  for(std::int32_t v : fixed_vertices)
+    if(v < 0 || v >= number_of_vertices)
+      return internal::fail(message,
+                            "a fixed vertex has the number " + std::to_string(v) + ", but there are " + std::to_string(number_of_vertices));
+  for(std::size_t i = 0; i < soft_positions.size(); ++i) {
+    const Soft_position<D>& soft = soft_positions[i];
+    const auto fail = [&](const std::string& what) { // Users whose vertices have no numbers know the entry.
+      return internal::fail(message, "soft position number " + std::to_string(i) + ", of vertex number " + std::to_string(soft.vertex) +
+                                       ", " + what);
+    };
+    if(soft.vertex < 0 || soft.vertex >= number_of_vertices)
+      return fail("but there are " + std::to_string(number_of_vertices) + " vertices");
+    if(!soft.target.allFinite())
+      return fail("is not finite");
+    if(!(soft.weight >= 0) || !std::isfinite(soft.weight))
+      return fail("has a weight that is negative or not finite");
+  }
+  return true;
+}
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+extern template struct Position_constraints<2>;
+extern template struct Position_constraints<3>;
+#endif
 
 } // namespace Flip_free_maps
 } // namespace CGAL

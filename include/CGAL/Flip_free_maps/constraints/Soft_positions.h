@@ -28,32 +28,13 @@ public:
   explicit Soft_positions(std::vector<Soft_position<D>> positions) : m_positions(std::move(positions)) {}
 
   /// Its value.
-  double value(const Positions<D>& x) const override
-  {
-    double sum = 0;
-    for(const Soft_position<D>& soft : m_positions)
-      sum += soft.weight * (x.col(soft.vertex) - soft.target).squaredNorm();
-    return sum;
-  }
+  double value(const Positions<D>& x) const override;
 
   /// Its derivatives; the matrix is exact.
-  void add_derivatives(const Positions<D>& x, Positions<D>& gradient, Term_matrix<D>* matrix) const override
-  {
-    for(const Soft_position<D>& soft : m_positions) {
-      gradient.col(soft.vertex) += 2 * soft.weight * (x.col(soft.vertex) - soft.target);
-      if(matrix != nullptr)
-        matrix->add(soft.vertex, soft.vertex, 2 * soft.weight * internal::Matrix<D>::Identity());
-    }
-  }
+  void add_derivatives(const Positions<D>& x, Positions<D>& gradient, Term_matrix<D>* matrix) const override;
 
   /// The greatest distance of a vertex from its target, in the domain's units.
-  double residual(const Positions<D>& x) const
-  {
-    double largest = 0;
-    for(const Soft_position<D>& soft : m_positions)
-      largest = (std::max)(largest, (x.col(soft.vertex) - soft.target).norm());
-    return largest;
-  }
+  double residual(const Positions<D>& x) const;
 
   /// Multiplies all weights.
   void scale_weights(double factor)
@@ -65,6 +46,39 @@ public:
 private:
   std::vector<Soft_position<D>> m_positions;
 };
+
+template <int D>
+double Soft_positions<D>::value(const Positions<D>& x) const
+{
+  double sum = 0;
+  for(const Soft_position<D>& soft : m_positions)
+    sum += soft.weight * (x.col(soft.vertex) - soft.target).squaredNorm();
+  return sum;
+}
+
+template <int D>
+void Soft_positions<D>::add_derivatives(const Positions<D>& x, Positions<D>& gradient, Term_matrix<D>* matrix) const
+{
+  for(const Soft_position<D>& soft : m_positions) {
+    gradient.col(soft.vertex) += 2 * soft.weight * (x.col(soft.vertex) - soft.target);
+    if(matrix != nullptr)
+      matrix->add(soft.vertex, soft.vertex, 2 * soft.weight * internal::Matrix<D>::Identity());
+  }
+}
+
+template <int D>
+double Soft_positions<D>::residual(const Positions<D>& x) const
+{
+  double largest = 0;
+  for(const Soft_position<D>& soft : m_positions)
+    largest = (std::max)(largest, (x.col(soft.vertex) - soft.target).norm());
+  return largest;
+}
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+extern template class Soft_positions<2>;
+extern template class Soft_positions<3>;
+#endif
 
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -45,40 +45,13 @@ public:
   std::string ordering() const { return m_is_direct ? m_direct->ordering() : m_iterative.ordering(); }
 
   /// Analyses the pattern for the direct solver, and chooses.
-  bool analyze_pattern(const Block_sparse_matrix& matrix)
-  {
-    m_direct = std::make_unique<DirectSolver>();
-    m_fits = m_direct->analyze_pattern(matrix) && ENTRY_BYTES * static_cast<double>(m_direct->factor_entries()) <= m_budget;
-    const bool is_slow = matrix.block_size() == 3 && m_direct->factor_operations() > SLOW * static_cast<double>(matrix.number_of_entries());
-    m_is_direct = m_fits && !is_slow;
-    m_has_failed = false;
-    if(m_is_direct)
-      return true;
-    // What the analysis left would take as much memory as the matrix, and more.
-    m_direct.reset();
-    return m_iterative.analyze_pattern(matrix);
-  }
+  bool analyze_pattern(const Block_sparse_matrix& matrix);
 
   /// Passed on.
-  bool factorize(const Block_sparse_matrix& matrix)
-  {
-    if(!m_is_direct && m_has_failed && m_fits) {
-      m_direct = std::make_unique<DirectSolver>();
-      m_is_direct = m_direct->analyze_pattern(matrix);
-      m_has_failed = m_is_direct;
-    }
-    return m_is_direct ? m_direct->factorize(matrix) : m_iterative.factorize(matrix);
-  }
+  bool factorize(const Block_sparse_matrix& matrix);
 
   /// Passed on.
-  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
-  {
-    if(m_is_direct)
-      return m_direct->solve(b, x);
-    const bool solved = m_iterative.solve(b, x);
-    m_has_failed = !solved || !m_iterative.converged();
-    return solved;
-  }
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
   /// Iterations of the last solve, 0 for the direct solver.
   int iterations() const { return m_is_direct ? 0 : m_iterative.iterations(); }
@@ -98,6 +71,42 @@ private:
   bool m_is_direct = true;
   bool m_has_failed = false;
 };
+
+template <typename DirectSolver>
+bool Automatic_solver<DirectSolver>::analyze_pattern(const Block_sparse_matrix& matrix)
+{
+  m_direct = std::make_unique<DirectSolver>();
+  m_fits = m_direct->analyze_pattern(matrix) && ENTRY_BYTES * static_cast<double>(m_direct->factor_entries()) <= m_budget;
+  const bool is_slow = matrix.block_size() == 3 && m_direct->factor_operations() > SLOW * static_cast<double>(matrix.number_of_entries());
+  m_is_direct = m_fits && !is_slow;
+  m_has_failed = false;
+  if(m_is_direct)
+    return true;
+  // What the analysis left would take as much memory as the matrix, and more.
+  m_direct.reset();
+  return m_iterative.analyze_pattern(matrix);
+}
+
+template <typename DirectSolver>
+bool Automatic_solver<DirectSolver>::factorize(const Block_sparse_matrix& matrix)
+{
+  if(!m_is_direct && m_has_failed && m_fits) {
+    m_direct = std::make_unique<DirectSolver>();
+    m_is_direct = m_direct->analyze_pattern(matrix);
+    m_has_failed = m_is_direct;
+  }
+  return m_is_direct ? m_direct->factorize(matrix) : m_iterative.factorize(matrix);
+}
+
+template <typename DirectSolver>
+bool Automatic_solver<DirectSolver>::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+{
+  if(m_is_direct)
+    return m_direct->solve(b, x);
+  const bool solved = m_iterative.solve(b, x);
+  m_has_failed = !solved || !m_iterative.converged();
+  return solved;
+}
 
 } // namespace Flip_free_maps
 } // namespace CGAL

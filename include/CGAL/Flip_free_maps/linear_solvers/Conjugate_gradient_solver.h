@@ -133,38 +133,13 @@ public:
   std::string ordering() const { return "none"; }
 
   /// Copies the pattern.
-  bool analyze_pattern(const Block_sparse_matrix& matrix)
-  {
-    m_matrix = matrix.lower();
-    m_solver.analyzePattern(m_matrix);
-    m_longest = 0;
-    return true;
-  }
+  bool analyze_pattern(const Block_sparse_matrix& matrix);
 
   /// Copies the matrix and prepares the preconditioner. `false` if that fails.
-  bool factorize(const Block_sparse_matrix& matrix)
-  {
-    m_is_ready = false;
-    if(m_matrix.nonZeros() != matrix.number_of_entries())
-      return false;
-    std::copy(matrix.values().begin(), matrix.values().end(), m_matrix.valuePtr());
-    m_solver.factorize(m_matrix);
-    m_is_ready = m_solver.preconditioner().info() == Eigen::Success;
-    return m_is_ready;
-  }
+  bool factorize(const Block_sparse_matrix& matrix);
 
   /// Iterates from zero, so that what is found descends wherever the matrix is positive definite.
-  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
-  {
-    if(!m_is_ready)
-      return false;
-    const double length = b.norm();
-    m_longest = (std::max)(m_longest, length);
-    m_solver.setTolerance(length > 0 ? m_tolerance * std::sqrt(length / m_longest) : m_tolerance);
-    x = m_solver.solve(b);
-    m_iterations = static_cast<int>(m_solver.iterations());
-    return x.allFinite();
-  }
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
   /// Whether the last solve met its tolerance.
   bool converged() const { return m_solver.info() == Eigen::Success; }
@@ -185,6 +160,44 @@ private:
   Matrix m_matrix;
   Eigen::ConjugateGradient<Matrix, Eigen::Lower, Preconditioner_> m_solver;
 };
+
+template <typename Preconditioner_>
+bool Conjugate_gradient_solver<Preconditioner_>::analyze_pattern(const Block_sparse_matrix& matrix)
+{
+  m_matrix = matrix.lower();
+  m_solver.analyzePattern(m_matrix);
+  m_longest = 0;
+  return true;
+}
+
+template <typename Preconditioner_>
+bool Conjugate_gradient_solver<Preconditioner_>::factorize(const Block_sparse_matrix& matrix)
+{
+  m_is_ready = false;
+  if(m_matrix.nonZeros() != matrix.number_of_entries())
+    return false;
+  std::copy(matrix.values().begin(), matrix.values().end(), m_matrix.valuePtr());
+  m_solver.factorize(m_matrix);
+  m_is_ready = m_solver.preconditioner().info() == Eigen::Success;
+  return m_is_ready;
+}
+
+template <typename Preconditioner_>
+bool Conjugate_gradient_solver<Preconditioner_>::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+{
+  if(!m_is_ready)
+    return false;
+  const double length = b.norm();
+  m_longest = (std::max)(m_longest, length);
+  m_solver.setTolerance(length > 0 ? m_tolerance * std::sqrt(length / m_longest) : m_tolerance);
+  x = m_solver.solve(b);
+  m_iterations = static_cast<int>(m_solver.iterations());
+  return x.allFinite();
+}
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+extern template class Conjugate_gradient_solver<Incomplete_cholesky>;
+#endif
 
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -35,6 +35,10 @@ namespace Flip_free_maps {
 template <int D, typename Traits>
 class Map_minimizer;
 
+#if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && defined(CGAL_FLIP_FREE_MAPS_USE_CORE)
+extern template class Automatic_solver<Cholmod_solver>;
+#endif
+
 /// \ingroup PkgFlipFreeMapsRef
 /// Bundles the choices that make a method: what is minimised, how directions are found, and with which settings.
 ///

@@ -36,6 +36,11 @@ void project_to_psd(Eigen::Matrix<double, N, N>& matrix, bool absolute = false)
   matrix = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+extern template void project_to_psd<2>(Eigen::Matrix<double, 2, 2>&, bool);
+extern template void project_to_psd<3>(Eigen::Matrix<double, 3, 3>&, bool);
+#endif
+
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
@@ -34,27 +35,7 @@ template <int D>
 class Handle_groups
 {
 public:
-  template <typename IsHandle>
-  Handle_groups(const Simplicial_domain<D>& domain, IsHandle&& is_handle)
-  {
-    Disjoint_sets sets(domain.number_of_vertices);
-    for(const auto& element : domain.elements) {
-      std::int32_t first = -1;
-      for(std::int32_t v : element) {
-        if(!is_handle(v))
-          continue;
-        if(first >= 0)
-          sets.unite(v, first);
-        first = v;
-      }
-    }
-    std::map<std::int32_t, std::vector<std::int32_t>> groups;
-    for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
-      if(is_handle(v))
-        groups[sets.root(v)].push_back(v);
-    for(auto& group : groups)
-      m_groups.push_back(std::move(group.second));
-  }
+  Handle_groups(const Simplicial_domain<D>& domain, const std::function<bool(std::int32_t)>& is_handle);
 
   // Puts the handles where they are to go.
   void place(const Positions<D>& targets, Positions<D>& x) const
@@ -66,40 +47,11 @@ public:
 
   // Where the handles turn by much as a whole: the shape `x`, turned with them. Isometries cost nothing, and on the ways of the
   // groups they might have to pass through each other. `false` if that leaves much to turn for one of the groups.
-  bool carry(const Positions<D>& x, const Positions<D>& targets, Positions<D>& carried) const
-  {
-    const Motion whole = motion(all(), x, targets);
-    if(!(whole.angle > LARGEST_TURN))
-      return false;
-    carried = (whole.rotation(1) * (x.colwise() - whole.from)).colwise() + whole.to;
-    for(const auto& group : m_groups)
-      if(!(motion(group, carried, targets).angle <= LARGEST_TURN))
-        return false;
-    return true;
-  }
+  bool carry(const Positions<D>& x, const Positions<D>& targets, Positions<D>& carried) const;
 
   // The displacement of the handles from `x` to their targets (`is_last`) or, if a group is to turn by much, to places on the
   // way. `false` if a target is not finite.
-  bool next_displacement(const Positions<D>& x, const Positions<D>& targets, Positions<D>& displacement, bool& is_last) const
-  {
-    std::vector<Motion> motions;
-    double largest_angle = 0;
-    const Vector<D> centre = motion(all(), x, targets).from;
-    for(const auto& group : m_groups) {
-      motions.push_back(motion(group, x, targets));
-      if(!std::isfinite(motions.back().angle))
-        return false;
-      motions.back().choose_side(centre);
-      largest_angle = (std::max)(largest_angle, motions.back().angle);
-    }
-    is_last = largest_angle <= LARGEST_TURN;
-    const double fraction = is_last ? 1 : LARGEST_TURN / largest_angle;
-    for(std::size_t g = 0; g < m_groups.size(); ++g)
-      for(std::int32_t v : m_groups[g])
-        displacement.col(v) =
-          is_last ? Vector<D>(targets.col(v) - x.col(v)) : Vector<D>(motions[g].place(x.col(v), targets.col(v), fraction) - x.col(v));
-    return true;
-  }
+  bool next_displacement(const Positions<D>& x, const Positions<D>& targets, Positions<D>& displacement, bool& is_last) const;
 
 private:
   // A rotation around the group's centre, and the translation of the centre.
@@ -174,6 +126,69 @@ private:
 
   std::vector<std::vector<std::int32_t>> m_groups;
 };
+
+template <int D>
+Handle_groups<D>::Handle_groups(const Simplicial_domain<D>& domain, const std::function<bool(std::int32_t)>& is_handle)
+{
+  Disjoint_sets sets(domain.number_of_vertices);
+  for(const auto& element : domain.elements) {
+    std::int32_t first = -1;
+    for(std::int32_t v : element) {
+      if(!is_handle(v))
+        continue;
+      if(first >= 0)
+        sets.unite(v, first);
+      first = v;
+    }
+  }
+  std::map<std::int32_t, std::vector<std::int32_t>> groups;
+  for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
+    if(is_handle(v))
+      groups[sets.root(v)].push_back(v);
+  for(auto& group : groups)
+    m_groups.push_back(std::move(group.second));
+}
+
+template <int D>
+bool Handle_groups<D>::carry(const Positions<D>& x, const Positions<D>& targets, Positions<D>& carried) const
+{
+  const Motion whole = motion(all(), x, targets);
+  if(!(whole.angle > LARGEST_TURN))
+    return false;
+  carried = (whole.rotation(1) * (x.colwise() - whole.from)).colwise() + whole.to;
+  for(const auto& group : m_groups)
+    if(!(motion(group, carried, targets).angle <= LARGEST_TURN))
+      return false;
+  return true;
+}
+
+template <int D>
+bool Handle_groups<D>::next_displacement(const Positions<D>& x, const Positions<D>& targets, Positions<D>& displacement,
+                                         bool& is_last) const
+{
+  std::vector<Motion> motions;
+  double largest_angle = 0;
+  const Vector<D> centre = motion(all(), x, targets).from;
+  for(const auto& group : m_groups) {
+    motions.push_back(motion(group, x, targets));
+    if(!std::isfinite(motions.back().angle))
+      return false;
+    motions.back().choose_side(centre);
+    largest_angle = (std::max)(largest_angle, motions.back().angle);
+  }
+  is_last = largest_angle <= LARGEST_TURN;
+  const double fraction = is_last ? 1 : LARGEST_TURN / largest_angle;
+  for(std::size_t g = 0; g < m_groups.size(); ++g)
+    for(std::int32_t v : m_groups[g])
+      displacement.col(v) =
+        is_last ? Vector<D>(targets.col(v) - x.col(v)) : Vector<D>(motions[g].place(x.col(v), targets.col(v), fraction) - x.col(v));
+  return true;
+}
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+extern template class Handle_groups<2>;
+extern template class Handle_groups<3>;
+#endif
 
 } // namespace internal
 } // namespace Flip_free_maps

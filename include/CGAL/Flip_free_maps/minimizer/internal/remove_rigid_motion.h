@@ -41,6 +41,11 @@ void remove_rigid_motion(const Positions<D>& x, Eigen::VectorXd& direction)
     }
 }
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+extern template void remove_rigid_motion<2>(const Positions<2>&, Eigen::VectorXd&);
+extern template void remove_rigid_motion<3>(const Positions<3>&, Eigen::VectorXd&);
+#endif
+
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
