@@ -59,7 +59,7 @@ public:
   /// the energy count as convergence at once, only if so. A data member serves as well as a constant.
   static constexpr bool is_second_order = unspecified;
 
-  /// The name of the preconditioner in reports, such as "newton": a constant C string.
+  /// The name of the preconditioner in reports, such as "projected_newton": a constant C string.
   static const char* name();
 
   /// Writes the quadratic form of one element.

@@ -66,11 +66,11 @@ const std::map<std::string, FFM::Any_preconditioner>& preconditioners()
     {"slim", FFM::Any_preconditioner(FFM::Slim())},
     {"cm", FFM::Any_preconditioner(FFM::Composite_majorization<>())},
     {"cm-ungathered", FFM::Any_preconditioner(FFM::Composite_majorization<false>())},
-    {"newton", FFM::Any_preconditioner(FFM::Projected_newton())},
+    {"projected-newton", FFM::Any_preconditioner(FFM::Projected_newton())},
     {"absolute-newton", FFM::Any_preconditioner(filtered_newton(FFM::Eigenvalue_filter::absolute))},
     {"trust-region-newton", FFM::Any_preconditioner(filtered_newton(FFM::Eigenvalue_filter::trust_region))},
     {"vertex-space-newton", FFM::Any_preconditioner(FFM::Vertex_space_newton())},
-    {"plain-newton", FFM::Any_preconditioner(FFM::Newton())},
+    {"newton", FFM::Any_preconditioner(FFM::Newton())},
     {"hybrid", FFM::Any_preconditioner(FFM::Hybrid<>())}};
   return all;
 }

@@ -14,6 +14,7 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
+#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
@@ -46,11 +47,11 @@ const std::vector<std::pair<std::string, FFM::Any_preconditioner>>& precondition
     {"slim", FFM::Any_preconditioner(FFM::Slim())},
     {"cm", FFM::Any_preconditioner(FFM::Composite_majorization<>())},
     {"cm, ungathered", FFM::Any_preconditioner(FFM::Composite_majorization<false>())},
-    {"newton", FFM::Any_preconditioner(FFM::Projected_newton())},
+    {"projected newton", FFM::Any_preconditioner(FFM::Projected_newton())},
     {"absolute newton", filtered_newton(FFM::Eigenvalue_filter::absolute)},
     {"trust-region newton", filtered_newton(FFM::Eigenvalue_filter::trust_region)},
     {"vertex-space newton", FFM::Any_preconditioner(FFM::Vertex_space_newton())},
-    {"plain newton", FFM::Any_preconditioner(FFM::Newton())},
+    {"newton", FFM::Any_preconditioner(FFM::Newton())},
     {"hybrid", FFM::Any_preconditioner(FFM::Hybrid<>())}};
   return all;
 }

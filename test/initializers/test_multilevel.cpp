@@ -13,6 +13,7 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
+#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 

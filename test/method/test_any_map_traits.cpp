@@ -13,6 +13,7 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
+#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/energies/Hencky.h>
 #include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
@@ -22,6 +23,7 @@
 
 #include <cmath>
 #include <string>
+#include <typeinfo>
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -100,8 +102,8 @@ BOOST_FIXTURE_TEST_CASE(all_names_work, Fixture)
                       {"p-slim", "slim", "progressive", "none"},
                       {"akvf", "killing", "fixed", "none"},
                       {"p-akvf", "killing", "progressive", "none"},
-                      {"projected-newton", "newton", "fixed", "none"},
-                      {"newton", "plain_newton", "fixed", "none"},
+                      {"projected-newton", "projected_newton", "fixed", "none"},
+                      {"newton", "newton", "fixed", "none"},
                       {"aqp", "laplacian", "fixed", "nesterov"},
                       {"sobolev", "laplacian", "fixed", "none"}};
   const double minimum = run(Method<FFM::Projected_newton>()).energy;
@@ -153,7 +155,7 @@ BOOST_FIXTURE_TEST_CASE(choices_are_independent, Fixture)
   BOOST_TEST(traits.use_method("projected-newton"));
   const FFM::Any_map_traits copy = traits;
   traits.preconditioner = FFM::Any_preconditioner(FFM::Slim());
-  BOOST_TEST(copy.preconditioner.preconditioner_name() == "newton");
+  BOOST_TEST(copy.preconditioner.preconditioner_name() == "projected_newton");
   FFM::Summary summary = run(copy);
   copy.name_choices(summary);
   BOOST_TEST(summary.converged());
@@ -175,4 +177,31 @@ BOOST_AUTO_TEST_CASE(only_the_default_method_is_adapted_to_developable_surfaces)
   BOOST_TEST(!preconditioned.start.unfold);
   BOOST_TEST(accelerated.acceleration.acceleration_name() == "inexact_newton");
   BOOST_TEST(preconditioned.preconditioner.preconditioner_name() == "slim");
+}
+
+BOOST_AUTO_TEST_CASE(planar_preconditioners_stay_in_the_plane)
+{
+  const Distorted_example<3> example;
+  for(const char* method : {"cm", "slim"}) {
+    FFM::Any_map_traits traits;
+    BOOST_TEST_REQUIRE(traits.use_method(method));
+    FFM::Positions<3> solid = example.x;
+    const FFM::Summary summary = FFM::Map_minimizer<3, FFM::Any_map_traits>(example.domain, traits).minimize(solid);
+    const bool is_planar = traits.preconditioner.is_planar();
+    BOOST_TEST(is_planar == (std::string(method) == "cm"));
+    BOOST_TEST(FFM::status_name(summary.status) == (is_planar ? "invalid_option" : "success"));
+    BOOST_TEST((solid.array() == example.x.array()).all() == is_planar);
+  }
+}
+
+// Units with and without the macro may be linked together: what differs has another name.
+BOOST_AUTO_TEST_CASE(default_solver_is_part_of_the_name)
+{
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+  const bool expected = true;
+#else
+  const bool expected = false;
+#endif
+  BOOST_TEST((std::string(typeid(FFM::Flip_free_map_traits<>).name()).find("with_cholmod") != std::string::npos) == expected);
+  BOOST_TEST((std::string(typeid(FFM::Any_map_traits).name()).find("with_cholmod") != std::string::npos) == expected);
 }

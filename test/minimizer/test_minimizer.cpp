@@ -13,6 +13,7 @@
 #include "support/minimizer_checks.h"
 
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
+#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>

@@ -13,6 +13,7 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
+#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 

@@ -324,13 +324,13 @@ expect 0 parameterize large.off -o one/slim.obj --threads 1 --preconditioner sli
 expect 0 parameterize large.off -o two/slim.obj --threads 2 --preconditioner slim --linear-solver eigen
 check "nor do they with other methods" cmp -s one/slim.obj two/slim.obj
 
-for preconditioner in default laplacian killing slim cm newton; do
+for preconditioner in default laplacian killing slim cm projected-newton; do
   expect 0 parameterize sheet.off -o p.obj --json p.json --preconditioner $preconditioner --tolerance 1e-6 --max-iterations 20000
   check "$preconditioner converges" test "$(value p.json converged)" = true
   check "$preconditioner finds the same energy" close "$(value p.json energy)" "$energy" 1e-6
   expect 0 measure p.obj
 done
-for preconditioner in default killing slim cm newton plain-newton; do
+for preconditioner in default killing slim cm projected-newton newton; do
   expect 0 parameterize sheet.off --json p.json --preconditioner $preconditioner --acceleration inexact-newton --tolerance 1e-8
   check "$preconditioner, inexact-newton: converges" test "$(value p.json converged)" = true
   check "$preconditioner, inexact-newton: same energy" close "$(value p.json energy)" "$energy" 1e-6
@@ -460,7 +460,7 @@ place()
     $1 == "f" { for(k = 2; k <= 4; ++k) { split($k, i, "/"); if(i[1] == v + 1) { print uv[i[2]]; exit } } }' "$1"
 }
 printf '# corners\n0\n\n142 # the last one\n' > fixed.txt
-expect 0 parameterize sheet.off --start off.obj --preconditioner newton --energy hencky --fixed fixed.txt -o fixed.obj \
+expect 0 parameterize sheet.off --start off.obj --preconditioner projected-newton --energy hencky --fixed fixed.txt -o fixed.obj \
   --json fixed.json
 check "the map changes" less 0 "$(value fixed.json iterations)"
 check "fixed vertices stay" test "$(place fixed.obj 0) $(place fixed.obj 142)" = "$(place off.obj 0) $(place off.obj 142)"
@@ -644,7 +644,7 @@ for dimension in 2 3; do
     check "$shape: $method converges" test "$(value method.json status)" = success
     check "$shape: $method finds the same energy" close "$(value method.json energy)" "$bent" 1e-6
   done
-  for preconditioner in default laplacian killing slim newton absolute-newton vertex-space-newton plain-newton hybrid; do
+  for preconditioner in default laplacian killing slim projected-newton absolute-newton vertex-space-newton newton hybrid; do
     expect 0 deform $shape --handles index_$dimension.txt --preconditioner $preconditioner --acceleration inexact-newton \
       --json method.json --tolerance 1e-6 --max-iterations 20000
     check "$shape: inexact-newton is used" test "$(value method.json acceleration)" = inexact_newton

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Any_linear_solver.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/preconditioners/Any_preconditioner.h>
+#include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
 #include <CGAL/Flip_free_maps/preconditioners/Hybrid.h>
 #include <CGAL/Flip_free_maps/preconditioners/Killing.h>
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
@@ -28,6 +29,11 @@
 
 namespace CGAL {
 namespace Flip_free_maps {
+
+// As Flip_free_map_traits.
+#if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
+inline namespace with_cholmod {
+#endif
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Traits whose choices are made at run time. One instantiation of an algorithm serves all methods, at the price of a few percent
@@ -94,6 +100,10 @@ private:
   std::function<Any_linear_solver(double)> m_make_linear_solver;
   bool m_is_default = true;
 };
+
+#if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
+} // namespace with_cholmod
+#endif
 
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -39,6 +39,11 @@ class Map_minimizer;
 extern template class Automatic_solver<Cholmod_solver>;
 #endif
 
+// The default solver is part of the name: units that see CHOLMOD and units that do not are different programs to the linker.
+#if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
+inline namespace with_cholmod {
+#endif
+
 /// \ingroup PkgFlipFreeMapsRef
 /// Bundles the choices that make a method: what is minimised, how directions are found, and with which settings.
 ///
@@ -134,6 +139,10 @@ public:
   /// A new linear solver, within `Map_options::memory_budget` if it takes one.
   Linear_solver make_linear_solver() const { return internal::make_solver<Linear_solver>(options.memory_budget); }
 };
+
+#if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
+} // namespace with_cholmod
+#endif
 
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -149,6 +149,10 @@ private:
         run.finish(Status::invalid_option, message);
         return;
       }
+      if(D != 2 && internal::is_planar(m_traits.preconditioner)) {
+        run.finish(Status::invalid_option, "the preconditioner is one of the plane only");
+        return;
+      }
       if(x.cols() != m_domain.number_of_vertices) {
         run.finish(Status::invalid_option, "the start must have a column for each vertex");
         return;

@@ -11,9 +11,7 @@
 #include <CGAL/Flip_free_maps/elements/Increment_form.h>
 #include <CGAL/Flip_free_maps/energies/Any_energy.h>
 #include <CGAL/Flip_free_maps/preconditioners/Adaptive_preconditioner.h>
-#include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
 #include <CGAL/Flip_free_maps/preconditioners/Iteration_state.h>
-#include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
 
 #include <memory>
 #include <string>
@@ -21,19 +19,6 @@
 
 namespace CGAL {
 namespace Flip_free_maps {
-
-namespace internal {
-
-// Whether a preconditioner works in the plane only.
-template <typename Preconditioner>
-struct Is_planar : std::false_type
-{};
-
-template <bool gather_terms>
-struct Is_planar<Composite_majorization<gather_terms>> : std::true_type
-{};
-
-} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// A preconditioner that is chosen at run time, for energies of type `Any_energy`:
@@ -53,7 +38,8 @@ public:
   Any_preconditioner() : Any_preconditioner(Adaptive_preconditioner()) {}
 
   /// Holds a copy of `preconditioner`.
-  /// \tparam Preconditioner must be a model of `Preconditioner`; those of the plane only must not be used in space
+  /// \tparam Preconditioner must be a model of `Preconditioner`; with those of the plane only, runs in space end with
+  ///   `Status::invalid_option`
   template <typename Preconditioner, typename = std::enable_if_t<!std::is_same<Preconditioner, Any_preconditioner>::value>>
   explicit Any_preconditioner(const Preconditioner& preconditioner)
     : is_second_order(preconditioner.is_second_order),
@@ -134,9 +120,8 @@ private:
     }
     void form(const Element_state<3>& state, const Any_energy& energy, Increment_form<3>& form) const override
     {
-      if constexpr(internal::Is_planar<Preconditioner>::value)
-        Slim_newton().form(state, energy, form);
-      else
+      // A planar one in space is refused before.
+      if constexpr(!internal::Is_planar<Preconditioner>::value)
         preconditioner.form(state, energy, form);
     }
 

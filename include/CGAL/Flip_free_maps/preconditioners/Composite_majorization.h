@@ -37,6 +37,7 @@ struct Composite_majorization
 {
   using Category = Varying_matrix_tag;                                        ///< depends on the current map
   static constexpr bool is_second_order = true;                               ///< full steps are natural
+  static constexpr bool is_planar = true;                                     ///< of the plane only
   static const char* name() { return gather_terms ? "cm" : "cm_ungathered"; } ///< "cm" or "cm_ungathered"
 
   /// Writes the form for one element.

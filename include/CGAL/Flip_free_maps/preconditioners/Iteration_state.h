@@ -116,6 +116,32 @@ bool clamps_element_matrices(const Preconditioner& preconditioner)
     return false;
 }
 
+template <typename Preconditioner, typename = void>
+struct Is_planar : std::false_type
+{};
+
+template <typename Preconditioner>
+struct Is_planar<Preconditioner, std::enable_if_t<Preconditioner::is_planar>> : std::true_type
+{};
+
+template <typename Preconditioner, typename = void>
+struct Has_is_planar : std::false_type
+{};
+
+template <typename Preconditioner>
+struct Has_is_planar<Preconditioner, std::void_t<decltype(std::declval<const Preconditioner&>().is_planar())>> : std::true_type
+{};
+
+// Whether the preconditioner is one of the plane only.
+template <typename Preconditioner>
+bool is_planar(const Preconditioner& preconditioner)
+{
+  if constexpr(Has_is_planar<Preconditioner>::value)
+    return preconditioner.is_planar();
+  else
+    return Is_planar<Preconditioner>::value;
+}
+
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL

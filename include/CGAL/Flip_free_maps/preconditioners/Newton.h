@@ -22,9 +22,9 @@ namespace Flip_free_maps {
 /// \cgalModels{Preconditioner}
 struct Newton
 {
-  using Category = Varying_matrix_tag;                 ///< depends on the current map
-  static constexpr bool is_second_order = true;        ///< full steps are natural
-  static const char* name() { return "plain_newton"; } ///< "plain_newton"
+  using Category = Varying_matrix_tag;           ///< depends on the current map
+  static constexpr bool is_second_order = true;  ///< full steps are natural
+  static const char* name() { return "newton"; } ///< "newton"
 
   /// Tries the Hessian itself first.
   void begin_iteration(const Iteration_state& /* state */) { m_is_projected = false; }

@@ -41,9 +41,9 @@ enum class Eigenvalue_filter
 /// \cgalModels{Preconditioner}
 struct Projected_newton
 {
-  using Category = Varying_matrix_tag;           ///< depends on the current map
-  static constexpr bool is_second_order = true;  ///< full steps are natural
-  static const char* name() { return "newton"; } ///< "newton"
+  using Category = Varying_matrix_tag;                     ///< depends on the current map
+  static constexpr bool is_second_order = true;            ///< full steps are natural
+  static const char* name() { return "projected_newton"; } ///< "projected_newton"
 
   Eigenvalue_filter filter = Eigenvalue_filter::clamp; ///< of negative eigenvalues
   double trust_tolerance = 0.01;                       ///< used by `Eigenvalue_filter::trust_region`
