@@ -41,8 +41,7 @@ struct Unwrap_options
   Cut_options cut;
   /// How charts are laid into the unit square.
   Packing_options packing;
-  /// Whether charts are packed. Otherwise each stays where it was flattened, in the units of the surface;
-  /// charts lie upon each other then.
+  /// Whether charts are packed. Otherwise they lie side by side, in the units of the surface.
   bool pack = true;
   /// No chart has a mean symmetric Dirichlet energy above this; above 1, where 1 is an isometry. Charts whose map exceeds it are
   /// cut again, by seams to the places that are distorted most, and split when that does not help. If it is finite, it lowers
@@ -53,7 +52,7 @@ struct Unwrap_options
   /// become charts of their own, or parts of one that unfolds about straight edges, if the surface consists of nothing else and
   /// `max_distortion` is finite. Positive; infinity for none.
   double crease_angle = 0.5;
-  /// Charts that are more than twice as long as wide, and longer than this times the side of a square with the area of the
+  /// Charts that are more than 2.2 times as long as wide, and longer than this times the side of a square with the area of the
   /// surface, are split if charts are packed and `max_distortion` is finite: a single long one would leave most of the square
   /// empty. At least 1; infinity for any length.
   double max_length = 1.2;

@@ -191,7 +191,7 @@ private:
     Positions<2> x;
     const Summary summary = flatten_piece(moved, x);
     std::pair<std::int32_t, std::int32_t> overlap;
-    if(!summary.is_valid() || find_overlap(open, x, overlap))
+    if(!summary.is_valid() || is_overlapping(open, x, overlap))
       return false;
     Chart_summary& chart = m_summary.charts[number];
     const double area = chart.area;
@@ -201,13 +201,21 @@ private:
     return true;
   }
 
+  // Charts in the units of the surface, side by side.
   template <typename Point>
   void scale_back()
   {
     m_summary.scale = 1;
+    double right = 0;
     for(Flat_chart& chart : m_charts) {
       chart.x = chart.x.unaryExpr([this](double c) { return std::ldexp(c, m_exponent); }).eval();
-      chart.x = as_rounded_by<Point>(chart.x);
+      const Vector<2> size = extent(chart.x);
+      Positions<2> moved = chart.x.colwise() - Vector<2>(chart.x.rowwise().minCoeff());
+      moved.row(0).array() += right;
+      right += size[0] + 0.01 * size.norm();
+      moved = as_rounded_by<Point>(moved);
+      // Far from the origin numbers may be too coarse.
+      chart.x = is_bijective(chart.elements, moved) ? moved : as_rounded_by<Point>(chart.x);
     }
   }
 
@@ -296,6 +304,25 @@ private:
     return x.allFinite();
   }
 
+  // Whether a map overlaps itself, and where. Where it touches itself, as parts with right angles do when they are unfolded, its
+  // border is moved inwards by a millionth of the atlas: what is apart by rounding only would overlap once it is turned and moved.
+  bool is_overlapping(const Open_piece& open, Positions<2>& x, std::pair<std::int32_t, std::int32_t>& overlap) const
+  {
+    const double gap = 1e-6 * std::sqrt(m_area);
+    const auto is_apart = [&](const Positions<2>& y) {
+      return !find_overlap(open, with_moved_border(open, y, gap), overlap) && !find_overlap(open, y, overlap);
+    };
+    if(is_apart(x))
+      return false;
+    Positions<2> moved = with_moved_border(open, x, -2 * gap);
+    const bool is_flip_free = std::all_of(open.elements.begin(), open.elements.end(),
+                                          [&](const auto& element) { return is_positively_oriented<Exact_kernel>(element, moved); });
+    if(!is_flip_free || !is_apart(moved))
+      return find_overlap(open, x, overlap);
+    x.swap(moved);
+    return false;
+  }
+
   // A piece and its map, if it has one, and how good that is.
   struct Flat_piece
   {
@@ -344,8 +371,8 @@ private:
     chart.faces = static_cast<std::int64_t>(piece.faces.size());
     if(piece.is_part && open.is_mesh && inherit(piece, open, flat.x)) {
       chart.message = "a part of a larger chart";
+      flat.is_overlapping = is_overlapping(open, flat.x, flat.overlap);
       flat.worst = measure(piece, open, flat.x, chart);
-      flat.is_overlapping = find_overlap(open, flat.x, flat.overlap);
       flat.is_mapped = chart.energy <= m_options.max_distortion || flat.is_overlapping;
     }
     if(flat.is_mapped) {
@@ -368,8 +395,8 @@ private:
       chart.message = "two edges of the chart have the same vertices";
     }
     if(flat.is_mapped || flat.is_inherited) {
+      flat.is_overlapping = is_overlapping(open, flat.x, flat.overlap);
       flat.worst = measure(piece, open, flat.x, chart);
-      flat.is_overlapping = find_overlap(open, flat.x, flat.overlap);
     }
     chart.seconds = wall_seconds() - begin;
   }
@@ -453,7 +480,7 @@ private:
     rotation << direction[0], direction[1], -direction[1], direction[0];
     const Vector<2> size = extent(rotation * x);
     const double length = size.maxCoeff(), width = size.minCoeff();
-    return length > m_options.max_length * std::sqrt(m_area) && length > 2 * width;
+    return length > m_options.max_length * std::sqrt(m_area) && length > LONG * width;
   }
 
   // Enters the distortion of a map into the account of a chart, and remembers the map.
@@ -506,9 +533,10 @@ private:
     chart.message = summary.message;
     chart.faces = static_cast<std::int64_t>(piece.faces.size());
     chart.iterations = summary.iterations;
-    measure(piece, open, x, chart);
     std::pair<std::int32_t, std::int32_t> overlap;
-    if(!(chart.energy <= most_energy) || find_overlap(open, x, overlap)) {
+    const bool overlaps = is_overlapping(open, x, overlap);
+    measure(piece, open, x, chart);
+    if(!(chart.energy <= most_energy) || overlaps) {
       for(const std::int32_t f : piece.faces)
         m_image[f].setConstant(std::numeric_limits<double>::quiet_NaN());
       return false;
@@ -641,6 +669,8 @@ private:
   }
 
   static constexpr int MOST_RECUTS = 3;
+  // Halves of a rectangle that is twice as long as wide cover as much of a square as the whole.
+  static constexpr double LONG = 2.2;
   // What is expected over what comes out, of energies above 1; and the part of what is wanted that is asked for the second time.
   static constexpr double HOPE = 3, CAUTION = 0.8;
 

@@ -95,6 +95,9 @@ protected:
   // its total turn to -2 pi. Infinite for surfaces that are no disks with holes, or have none.
   static double missing_angles(const Open_piece& open);
 
+  // A map with the vertices of its border moved outwards.
+  Positions<2> with_moved_border(const Open_piece& open, const Positions<2>& x, double distance) const;
+
   // Two faces at places of the border that cross, on different borders, or as far from each other along the border as any.
   bool find_overlap(const Open_piece& open, const Positions<2>& x, std::pair<std::int32_t, std::int32_t>& overlap) const;
 

@@ -234,6 +234,26 @@ CGAL_FLIP_FREE_MAPS_INLINE double Chart_surface::missing_angles(const Open_piece
   return missing;
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE Positions<2> Chart_surface::with_moved_border(const Open_piece& open, const Positions<2>& x,
+                                                                         double distance) const
+{
+  Border_curves border;
+  border.load(open.elements, static_cast<std::int32_t>(x.cols()));
+  Positions<2> normals = Positions<2>::Zero(2, x.cols());
+  for(const Border_edge& edge : border.edges()) {
+    const Vector<2> side = (x.col(edge.target) - x.col(edge.source)).normalized(), normal(side[1], -side[0]);
+    normals.col(edge.source) += normal;
+    normals.col(edge.target) += normal;
+  }
+  Positions<2> moved = x;
+  for(Eigen::Index v = 0; v < x.cols(); ++v) {
+    const double length = normals.col(v).norm();
+    if(length > 1e-6)
+      moved.col(v) += distance / length * normals.col(v);
+  }
+  return moved;
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::find_overlap(const Open_piece& open, const Positions<2>& x,
                                                             std::pair<std::int32_t, std::int32_t>& overlap) const
 {
@@ -245,7 +265,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::find_overlap(const Open_piece& op
       rank[curve[i]] = static_cast<std::int32_t>(i);
   std::int32_t best = -1;
   int number = 0;
-  const auto take_farthest = [&](std::int32_t i, std::int32_t j) {
+  border.for_each_crossing(x, [&](std::int32_t i, std::int32_t j) {
     const Border_edge& a = border.edges()[i];
     const Border_edge& b = border.edges()[j];
     const std::int32_t length = static_cast<std::int32_t>(border.curves()[a.curve].size());
@@ -256,15 +276,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::find_overlap(const Open_piece& op
       overlap = {a.element, b.element};
     }
     return ++number < 100000;
-  };
-  border.for_each_crossing(x, take_farthest);
-  if(best < 0) {
-    // What is apart by rounding only would touch once the chart is turned and moved.
-    const double cosine = std::cos(1.), sine = std::sin(1.);
-    Matrix<2> rotation;
-    rotation << cosine, -sine, sine, cosine;
-    border.for_each_crossing(rotation * x, take_farthest);
-  }
+  });
   if(best < 0 && !border.are_nested(x)) {
     overlap = {0, 0};
     return true;
