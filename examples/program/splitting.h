@@ -13,6 +13,7 @@
 #include "method_arguments.h"
 
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/core/compiled_splitting.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
 
 #include <algorithm>

@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(unfolding_stands_in_for_a_start_only_where_nothing_flips)
     const FFM::Simplicial_domain<2> domain = make_domain(spherical_cap(angle, 12, 36));
     FFM::Positions<2> x;
     FFM::internal::unfold_developable(domain, x);
-    const bool usable = FFM::internal::is_unfolded<Traits::Kernel>(domain, x);
+    const bool usable = FFM::internal::is_unfolded<FFM::Flip_free_map_traits<>>(domain, x);
     Traits traits;
     traits.start.unfold = true;
     std::string name, message;

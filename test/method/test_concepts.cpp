@@ -11,6 +11,7 @@
 #define BOOST_TEST_MODULE concepts
 #include "support/unit_test.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/accelerations/Inexact_newton.h>
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
 #include <CGAL/Flip_free_maps/accelerations/Nesterov.h>

@@ -204,6 +204,7 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
     unwrap_triangles(request, options, method, result, summary);
     if(!summary.is_valid())
       return;
+    using boost::put; // for pointers
     for(std::size_t f = 0; f < corners.size(); ++f)
       for(int k = 0; k < 3; ++k)
         put(uv_map, corners[f][k], internal::make_point_2<Point>(result.images[f][k][0], result.images[f][k][1]));

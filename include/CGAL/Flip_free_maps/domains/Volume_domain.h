@@ -160,6 +160,7 @@ public:
       message = "elements flip when the map is converted to the number type of the result";
       return Status::result_not_representable;
     }
+    using boost::put; // for pointers
     for(std::size_t v = 0; v < m_vertices.size(); ++v)
       put(vertex_points, m_vertices[v], points[v]);
     return Status::success;

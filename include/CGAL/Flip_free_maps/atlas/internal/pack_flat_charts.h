@@ -166,6 +166,7 @@ template <typename HalfedgeUVMap, typename CornerOf>
 void write_charts(const std::vector<Flat_chart>& charts, HalfedgeUVMap uv_map, CornerOf&& corner_of)
 {
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using boost::put; // for pointers
   for(const Flat_chart& chart : charts)
     for(std::size_t e = 0; e < chart.elements.size(); ++e)
       for(int k = 0; k < 3; ++k) {

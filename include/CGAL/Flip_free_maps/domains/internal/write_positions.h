@@ -55,6 +55,7 @@ void write_positions(const std::vector<VertexDescriptor>& vertices, const Positi
   }
   if(!certify(written))
     return;
+  using boost::put; // for pointers
   for(std::size_t v = 0; v < vertices.size(); ++v)
     put(uv_map, vertices[v], points[v]);
 }
