@@ -8,8 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_UNWRAP_H
 #define CGAL_FLIP_FREE_MAPS_UNWRAP_H
 
-#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 #include <CGAL/Flip_free_maps/core/unwrap_triangles.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
