@@ -10,9 +10,9 @@
 
 #include "../support/machine.h"
 
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/accelerations/No_acceleration.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
-#include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 

@@ -12,7 +12,7 @@
 #include "../support/generated_meshes.h"
 #include "../support/machine.h"
 
-#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
+#include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterize.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>

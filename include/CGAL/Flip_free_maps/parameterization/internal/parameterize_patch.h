@@ -19,15 +19,31 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
+// Whether the function that flattens by a method is known.
+template <typename Method, typename = void>
+struct Is_known_method : std::false_type
+{};
+
+template <typename Method>
+struct Is_known_method<Method, std::void_t<decltype(solve_planar(std::declval<const Planar_request&>(), std::declval<Method&>(),
+                                                                 std::declval<Positions<2>&>(), std::declval<Summary&>()))>>
+  : std::true_type
+{};
+
 // The functions that flatten by a method, traits or another, among which overloads choose.
 template <typename Method, bool IsBijective = false>
 struct Planar_solver
 {
+  static_assert(Is_known_method<Method>::value,
+                "the methods of traits come with CGAL/Flip_free_maps/Flip_free_map_traits.h and CGAL/Flip_free_maps/Any_map_traits.h");
+
   Method& method;
 
   void solve(const Planar_request& request, Positions<2>& x, Summary& summary)
