@@ -14,6 +14,7 @@
 #include "support/starts.h"
 
 #include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
+#include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Automatic_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
