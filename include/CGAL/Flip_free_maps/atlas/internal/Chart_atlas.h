@@ -191,7 +191,7 @@ private:
     Positions<2> x;
     const Summary summary = flatten_piece(moved, x);
     std::pair<std::int32_t, std::int32_t> overlap;
-    if(!summary.is_valid() || is_overlapping(open, x, overlap))
+    if(!summary.is_valid() || !draw_apart(open, x, overlap))
       return false;
     Chart_summary& chart = m_summary.charts[number];
     const double area = chart.area;
@@ -304,23 +304,22 @@ private:
     return x.allFinite();
   }
 
-  // Whether a map overlaps itself, and where. Where it touches itself, as parts with right angles do when they are unfolded, its
-  // border is moved inwards by a millionth of the atlas: what is apart by rounding only would overlap once it is turned and moved.
-  bool is_overlapping(const Open_piece& open, Positions<2>& x, std::pair<std::int32_t, std::int32_t>& overlap) const
+  // Whether a map is without overlaps, and if not, where one is. Where it touches itself, as parts with right angles do when they
+  // are unfolded, its border is moved inwards by a millionth of the atlas: what is apart by rounding only would overlap once it is
+  // turned and moved.
+  bool draw_apart(const Open_piece& open, Positions<2>& x, std::pair<std::int32_t, std::int32_t>& overlap) const
   {
     const double gap = 1e-6 * std::sqrt(m_area);
     const auto is_apart = [&](const Positions<2>& y) {
       return !find_overlap(open, with_moved_border(open, y, gap), overlap) && !find_overlap(open, y, overlap);
     };
     if(is_apart(x))
-      return false;
+      return true;
     Positions<2> moved = with_moved_border(open, x, -2 * gap);
-    const bool is_flip_free = std::all_of(open.elements.begin(), open.elements.end(),
-                                          [&](const auto& element) { return is_positively_oriented<Exact_kernel>(element, moved); });
-    if(!is_flip_free || !is_apart(moved))
-      return find_overlap(open, x, overlap);
+    if(!is_flip_free(open.elements, moved) || !is_apart(moved))
+      return !find_overlap(open, x, overlap);
     x.swap(moved);
-    return false;
+    return true;
   }
 
   // A piece and its map, if it has one, and how good that is.
@@ -371,7 +370,7 @@ private:
     chart.faces = static_cast<std::int64_t>(piece.faces.size());
     if(piece.is_part && open.is_mesh && inherit(piece, open, flat.x)) {
       chart.message = "a part of a larger chart";
-      flat.is_overlapping = is_overlapping(open, flat.x, flat.overlap);
+      flat.is_overlapping = !draw_apart(open, flat.x, flat.overlap);
       flat.worst = measure(piece, open, flat.x, chart);
       flat.is_mapped = chart.energy <= m_options.max_distortion || flat.is_overlapping;
     }
@@ -395,7 +394,7 @@ private:
       chart.message = "two edges of the chart have the same vertices";
     }
     if(flat.is_mapped || flat.is_inherited) {
-      flat.is_overlapping = is_overlapping(open, flat.x, flat.overlap);
+      flat.is_overlapping = !draw_apart(open, flat.x, flat.overlap);
       flat.worst = measure(piece, open, flat.x, chart);
     }
     chart.seconds = wall_seconds() - begin;
@@ -534,7 +533,7 @@ private:
     chart.faces = static_cast<std::int64_t>(piece.faces.size());
     chart.iterations = summary.iterations;
     std::pair<std::int32_t, std::int32_t> overlap;
-    const bool overlaps = is_overlapping(open, x, overlap);
+    const bool overlaps = !draw_apart(open, x, overlap);
     measure(piece, open, x, chart);
     if(!(chart.energy <= most_energy) || overlaps) {
       for(const std::int32_t f : piece.faces)

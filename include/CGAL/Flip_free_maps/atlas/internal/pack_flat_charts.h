@@ -46,7 +46,7 @@ Vector<2> direction_of_smallest_box(const Positions<2>& x);
 
 inline Vector<2> extent(const Positions<2>& x) { return x.rowwise().maxCoeff() - x.rowwise().minCoeff(); }
 
-bool is_flip_free(const Flat_chart& chart, const Positions<2>& x);
+bool is_flip_free(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x);
 
 double signed_area(const Flat_chart& chart, const Positions<2>& x);
 
@@ -81,7 +81,7 @@ void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& op
   }
   std::vector<char> was_bijective(charts.size());
   for(std::size_t c = 0; c < charts.size(); ++c) {
-    if(!charts[c].x.allFinite() || !is_flip_free(charts[c], charts[c].x)) {
+    if(!charts[c].x.allFinite() || !is_flip_free(charts[c].elements, charts[c].x)) {
       summary.status = charts[c].x.allFinite() ? Status::start_not_flip_free : Status::non_finite_input;
       summary.message = "chart number " + std::to_string(c) + " has flipped triangles or coordinates that are not finite";
       return;
@@ -136,7 +136,7 @@ void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& op
       x *= summary.scale;
       x.colwise() += Vector<2>(place.x, place.y);
       x = as_rounded_by<Point>(x);
-      if(was_bijective[c] ? is_bijective(charts[c].elements, x) : is_flip_free(charts[c], x)) {
+      if(was_bijective[c] ? is_bijective(charts[c].elements, x) : is_flip_free(charts[c].elements, x)) {
         placed[c].swap(x);
         continue;
       }

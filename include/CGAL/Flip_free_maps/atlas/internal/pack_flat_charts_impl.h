@@ -41,9 +41,9 @@ CGAL_FLIP_FREE_MAPS_INLINE Vector<2> direction_of_smallest_box(const Positions<2
   return direction.squaredNorm() > 0 ? direction.normalized() : Vector<2>(1, 0);
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool is_flip_free(const Flat_chart& chart, const Positions<2>& x)
+CGAL_FLIP_FREE_MAPS_INLINE bool is_flip_free(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x)
 {
-  for(const auto& element : chart.elements)
+  for(const auto& element : elements)
     if(!is_positively_oriented<Exact_kernel>(element, x))
       return false;
   return true;
