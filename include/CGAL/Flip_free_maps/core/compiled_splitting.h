@@ -8,11 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CORE_COMPILED_SPLITTING_H
 #define CGAL_FLIP_FREE_MAPS_CORE_COMPILED_SPLITTING_H
 
+#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
-#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
-#endif
 
 // The compiled library holds the splitting scheme for methods that are chosen at run time.
 

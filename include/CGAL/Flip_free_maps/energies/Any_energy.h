@@ -36,7 +36,7 @@ public:
   static const char* name() { return "any"; }
 
   /// Holds a `Symmetric_dirichlet`.
-  Any_energy() : Any_energy(Symmetric_dirichlet()) {}
+  Any_energy();
 
   /// Holds a copy of `energy`.
   /// \tparam Energy must be a model of `DistortionEnergy` for both dimensions
@@ -163,5 +163,9 @@ private:
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/energies/Any_energy_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_ENERGIES_ANY_ENERGY_H

@@ -10,12 +10,12 @@
 
 #include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/initializers/internal/Polar_map.h>
 #include <CGAL/Flip_free_maps/initializers/internal/Progressive_disk.h>
 #include <CGAL/Flip_free_maps/initializers/internal/Vertex_placement.h>
+#include <CGAL/Flip_free_maps/internal/for_each_index.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 

@@ -26,17 +26,28 @@
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 /// \file
 /// Compile-time checks of the concepts of the package, to be used like those of Boost:
-/// `BOOST_CONCEPT_ASSERT((CGAL::Flip_free_maps::DistortionEnergyConcept<My_energy, 2>));`. Requirements are compiled, not run.
+/// `BOOST_CONCEPT_ASSERT((CGAL::Flip_free_maps::DistortionEnergyConcept<My_energy, 2>));`. A member that is missing, or cannot be
+/// called as it must be, is named by concept in the first error. Nothing of a model is compiled for it.
 /// The dimension of a map is not a type, which is why the classes are written out instead of made by the macro `BOOST_concept`.
-
-// In each class the address of `requirements` is taken where Boost instantiates code, since an unused function would not be
-// compiled, let alone checked.
 
 namespace CGAL {
 namespace Flip_free_maps {
+
+namespace internal {
+
+// Whether a generic lambda takes such arguments and gives what converts to R: the expression that is asked for is the lambda's
+// return type, so that it is looked up and nothing else.
+template <typename R, typename... Args, typename Lambda>
+constexpr bool gives(const Lambda&)
+{
+  return std::is_invocable_r<R, const Lambda&, Args...>::value;
+}
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `Energy` is a model of `DistortionEnergy` for maps of dimension `D`.
@@ -46,21 +57,18 @@ struct DistortionEnergyConcept : boost::CopyConstructible<Energy>
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(DistortionEnergyConcept)
   {
-    static_assert(std::is_same<decltype(Energy::has_barrier), const bool>::value, "has_barrier must be a constant bool");
-    static_assert(Energy::has_barrier || !Energy::has_barrier, "has_barrier must be known at compile time");
-    const auto check = &DistortionEnergyConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  static void requirements(const Energy& energy, const Eigen::Matrix<double, D, 1>& s, Eigen::Matrix<double, D, 1>& gradient,
-                           Eigen::Matrix<double, D, D>& hessian)
-  {
-    const std::string name = Energy::name();
-    const double value = energy.template value<D>(s);
-    energy.template derivatives<D>(s, gradient, hessian);
-    boost::ignore_unused_variable_warning(name);
-    boost::ignore_unused_variable_warning(value);
+    using internal::gives;
+    using Vector = Eigen::Matrix<double, D, 1>;
+    using Matrix = Eigen::Matrix<double, D, D>;
+    static_assert(gives<std::string, const Energy&>([](auto& e) -> decltype(std::decay_t<decltype(e)>::name()) {}),
+                  "DistortionEnergy: a static function name() must return the name of the energy");
+    static_assert(gives<bool, const Energy&>([](auto& e) -> std::bool_constant<std::decay_t<decltype(e)>::has_barrier> {}),
+                  "DistortionEnergy: has_barrier must be a bool that is known at compile time");
+    static_assert(gives<double, const Energy&, const Vector&>([](auto& e, auto& s) -> decltype(e.template value<D>(s)) {}),
+                  "DistortionEnergy: value<D>(s) const must return the energy at the singular values s");
+    static_assert(gives<void, const Energy&, const Vector&, Vector&, Matrix&>(
+                    [](auto& e, auto& s, auto& g, auto& h) -> decltype(e.template derivatives<D>(s, g, h)) {}),
+                  "DistortionEnergy: derivatives<D>(s, gradient, hessian) const must write the derivatives at s");
   }
   /// \endcond
 };
@@ -73,15 +81,10 @@ struct ConvexConcaveEnergyConcept : DistortionEnergyConcept<Energy, D>
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ConvexConcaveEnergyConcept)
   {
-    const auto check = &ConvexConcaveEnergyConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  static void requirements(const Energy& energy, const Eigen::Matrix<double, D, 1>& s, const Eigen::Matrix<double, D, D>& hessian,
-                           Eigen::Matrix<double, D, D>& convex)
-  {
-    energy.template convex_hessian<D>(s, hessian, convex);
+    using Matrix = Eigen::Matrix<double, D, D>;
+    static_assert(internal::gives<void, const Energy&, const Eigen::Matrix<double, D, 1>&, const Matrix&, Matrix&>(
+                    [](auto& e, auto& s, auto& h, auto& convex) -> decltype(e.template convex_hessian<D>(s, h, convex)) {}),
+                  "ConvexConcaveEnergy: convex_hessian<D>(s, hessian, convex) const must write the Hessian of the convex part");
   }
   /// \endcond
 };
@@ -94,22 +97,17 @@ struct PreconditionerConcept : boost::CopyConstructible<P>
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(PreconditionerConcept)
   {
-    using Category = typename P::Category;
-    static_assert(std::is_same<Category, Constant_matrix_tag>::value || std::is_same<Category, Varying_matrix_tag>::value,
-                  "Category must be Constant_matrix_tag or Varying_matrix_tag");
-    static_assert(std::is_same<std::remove_const_t<decltype(P::is_second_order)>, bool>::value, "is_second_order must be a bool");
-    const auto check = &PreconditionerConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  static void requirements(const P& preconditioner, const Energy& energy, const Element_state<D>& state, Increment_form<D>& form)
-  {
-    const std::string name = P::name();
-    const bool is_second_order = preconditioner.is_second_order;
-    boost::ignore_unused_variable_warning(is_second_order);
-    preconditioner.form(state, energy, form);
-    boost::ignore_unused_variable_warning(name);
+    using internal::gives;
+    static_assert(gives<std::string, const P&>([](auto& p) -> decltype(std::decay_t<decltype(p)>::name()) {}),
+                  "Preconditioner: a static function name() must return the name of the preconditioner");
+    static_assert(gives<Constant_matrix_tag, const P&>([](auto& p) -> typename std::decay_t<decltype(p)>::Category {}) ||
+                    gives<Varying_matrix_tag, const P&>([](auto& p) -> typename std::decay_t<decltype(p)>::Category {}),
+                  "Preconditioner: Category must be Constant_matrix_tag or Varying_matrix_tag");
+    static_assert(gives<const bool&, const P&>([](auto& p) -> decltype((p.is_second_order)) {}),
+                  "Preconditioner: is_second_order must be a bool");
+    static_assert(gives<void, const P&, const Element_state<D>&, const Energy&, Increment_form<D>&>(
+                    [](auto& p, auto& state, auto& energy, auto& form) -> decltype(p.form(state, energy, form)) {}),
+                  "Preconditioner: form(state, energy, form) const must write the form of an element, for this energy and dimension");
   }
   /// \endcond
 };
@@ -122,25 +120,21 @@ struct ReferenceConcept : boost::CopyConstructible<R>
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ReferenceConcept)
   {
-    const auto check = &ReferenceConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  static void requirements(R& reference, const R& const_reference, const Simplicial_domain<D>& domain, const Positions<D>& x,
-                           std::int64_t e)
-  {
-    const std::string name = R::name();
-    reference.restart();
-    const bool is_rest_shape = reference.update(domain, x);
-    const double relative_decrease = const_reference.relative_decrease();
-    const Eigen::Matrix<double, D, D>& rest_inverse = const_reference.rest_inverse(domain, e);
-    const double weight = const_reference.weight(domain, e);
-    boost::ignore_unused_variable_warning(name);
-    boost::ignore_unused_variable_warning(is_rest_shape);
-    boost::ignore_unused_variable_warning(relative_decrease);
-    boost::ignore_unused_variable_warning(rest_inverse);
-    boost::ignore_unused_variable_warning(weight);
+    using internal::gives;
+    using Domain = Simplicial_domain<D>;
+    static_assert(gives<std::string, const R&>([](auto& r) -> decltype(std::decay_t<decltype(r)>::name()) {}),
+                  "Reference: a static function name() must return the name of the reference");
+    static_assert(gives<void, R&>([](auto& r) -> decltype(r.restart()) {}), "Reference: restart() is missing");
+    static_assert(
+      gives<bool, R&, const Domain&, const Positions<D>&>([](auto& r, auto& domain, auto& x) -> decltype(r.update(domain, x)) {}),
+      "Reference: update(domain, x) must return whether the reference is the rest shape");
+    static_assert(gives<double, const R&>([](auto& r) -> decltype(r.relative_decrease()) {}),
+                  "Reference: relative_decrease() const must return a number");
+    static_assert(gives<Eigen::Matrix<double, D, D>, const R&, const Domain&>(
+                    [](auto& r, auto& domain) -> decltype(r.rest_inverse(domain, std::int64_t())) {}),
+                  "Reference: rest_inverse(domain, e) const must return the inverse of the reference's edge matrix");
+    static_assert(gives<double, const R&, const Domain&>([](auto& r, auto& domain) -> decltype(r.weight(domain, std::int64_t())) {}),
+                  "Reference: weight(domain, e) const must return the weight of an element");
   }
   /// \endcond
 };
@@ -153,8 +147,14 @@ struct AccelerationConcept : boost::CopyConstructible<A>
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(AccelerationConcept)
   {
-    const auto check = &AccelerationConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
+    using internal::gives;
+    using Vector = Eigen::VectorXd;
+    static_assert(gives<std::string, const A&>([](auto& a) -> decltype(std::decay_t<decltype(a)>::name()) {}),
+                  "Acceleration: a static function name() must return the name of the acceleration");
+    static_assert(gives<void, A&>([](auto& a) -> decltype(a.reset()) {}), "Acceleration: reset() is missing");
+    static_assert(gives<bool, A&, const Vector&, const Solve&, Vector&>(
+                    [](auto& a, auto& x, auto& solve, auto& direction) -> decltype(a.direction(x, x, solve, direction)) {}),
+                  "Acceleration: direction(x, gradient, solve, direction) must return whether the linear solver succeeded");
   }
 
 private:
@@ -163,14 +163,6 @@ private:
     bool operator()(const Eigen::VectorXd&, Eigen::VectorXd&) const { return false; }
     void multiply(const Eigen::VectorXd&, Eigen::VectorXd&) const {}
   };
-  static void requirements(A& acceleration, const Eigen::VectorXd& x, const Eigen::VectorXd& gradient, Eigen::VectorXd& direction)
-  {
-    const std::string name = A::name();
-    acceleration.reset();
-    const bool success = acceleration.direction(x, gradient, Solve(), direction);
-    boost::ignore_unused_variable_warning(name);
-    boost::ignore_unused_variable_warning(success);
-  }
   /// \endcond
 };
 
@@ -182,15 +174,8 @@ struct RefactorizationRuleConcept : boost::CopyConstructible<Rule>
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(RefactorizationRuleConcept)
   {
-    const auto check = &RefactorizationRuleConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  static void requirements(Rule& rule, int age, double last_step, double relative_decrease)
-  {
-    const Refactorization refactorization = rule(age, last_step, relative_decrease);
-    boost::ignore_unused_variable_warning(refactorization);
+    static_assert(std::is_invocable_r<Refactorization, Rule&, int, double, double>::value,
+                  "RefactorizationRule: a call with age, last step and relative decrease must return a Refactorization");
   }
   /// \endcond
 };
@@ -203,26 +188,20 @@ struct SymmetricSparseSolverConcept
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(SymmetricSparseSolverConcept)
   {
-    const auto check = &SymmetricSparseSolverConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  static void requirements(Solver& solver, const Solver& const_solver, const Block_sparse_matrix& matrix, const Eigen::VectorXd& b,
-                           Eigen::VectorXd& x)
-  {
-    const std::string name = const_solver.name();
-    const std::string ordering = const_solver.ordering();
-    const bool analyzed = solver.analyze_pattern(matrix);
-    const bool factorized = solver.factorize(matrix);
-    const bool solved = solver.solve(b, x);
-    const std::int64_t entries = const_solver.factor_entries();
-    boost::ignore_unused_variable_warning(name);
-    boost::ignore_unused_variable_warning(ordering);
-    boost::ignore_unused_variable_warning(analyzed);
-    boost::ignore_unused_variable_warning(factorized);
-    boost::ignore_unused_variable_warning(solved);
-    boost::ignore_unused_variable_warning(entries);
+    using internal::gives;
+    static_assert(gives<std::string, const Solver&>([](auto& s) -> decltype(s.name()) {}),
+                  "SymmetricSparseSolver: name() const must return the name of the solver");
+    static_assert(gives<std::string, const Solver&>([](auto& s) -> decltype(s.ordering()) {}),
+                  "SymmetricSparseSolver: ordering() const must return the name of the ordering");
+    static_assert(gives<bool, Solver&, const Block_sparse_matrix&>([](auto& s, auto& m) -> decltype(s.analyze_pattern(m)) {}),
+                  "SymmetricSparseSolver: analyze_pattern(matrix) must return whether it succeeded");
+    static_assert(gives<bool, Solver&, const Block_sparse_matrix&>([](auto& s, auto& m) -> decltype(s.factorize(m)) {}),
+                  "SymmetricSparseSolver: factorize(matrix) must return whether it succeeded");
+    static_assert(
+      gives<bool, Solver&, const Eigen::VectorXd&, Eigen::VectorXd&>([](auto& s, auto& b, auto& x) -> decltype(s.solve(b, x)) {}),
+      "SymmetricSparseSolver: solve(b, x) must return whether it succeeded");
+    static_assert(gives<std::int64_t, const Solver&>([](auto& s) -> decltype(s.factor_entries()) {}),
+                  "SymmetricSparseSolver: factor_entries() const must return the number of entries of the factor");
   }
   /// \endcond
 };
@@ -235,16 +214,9 @@ struct InitializerConcept : boost::CopyConstructible<I>
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(InitializerConcept)
   {
-    const auto check = &InitializerConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  static void requirements(const I& initializer, const Simplicial_domain<2>& domain, MakeLinearSolver& make_linear_solver, Positions<2>& x,
-                           std::string& name, std::string& message)
-  {
-    const Status status = initializer(domain, make_linear_solver, x, name, message);
-    boost::ignore_unused_variable_warning(status);
+    static_assert(std::is_invocable_r<Status, const I&, const Simplicial_domain<2>&, MakeLinearSolver&, Positions<2>&, std::string&,
+                                      std::string&>::value,
+                  "Initializer: a const call with domain, make_linear_solver, x, name and message must return a Status");
   }
   /// \endcond
 };
@@ -276,49 +248,43 @@ struct MapTraitsConcept : boost::CopyConstructible<Traits>
 
   BOOST_CONCEPT_USAGE(MapTraitsConcept)
   {
-    static_assert(std::is_class<Minimizer>::value, "Minimizer must be a class");
+    using internal::gives;
+    static_assert(std::is_class<Minimizer>::value, "MapTraits: Minimizer must be a class");
     static_assert(std::is_convertible<Concurrency_tag, CGAL::Sequential_tag>::value ||
                     std::is_convertible<Concurrency_tag, CGAL::Parallel_tag>::value,
-                  "Concurrency_tag must be one of CGAL's concurrency tags");
-    const auto check = &MapTraitsConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-    const auto kernel_check = &MapTraitsConcept::kernel_requirements;
-    boost::ignore_unused_variable_warning(kernel_check);
+                  "MapTraits: Concurrency_tag must be one of CGAL's concurrency tags");
+    static_assert(gives<Energy&, Traits&>([](auto& t) -> decltype((t.energy)) {}), "MapTraits: energy must be an Energy");
+    static_assert(gives<Preconditioner&, Traits&>([](auto& t) -> decltype((t.preconditioner)) {}),
+                  "MapTraits: preconditioner must be a Preconditioner");
+    static_assert(gives<Reference&, Traits&>([](auto& t) -> decltype((t.reference)) {}), "MapTraits: reference must be a Reference");
+    static_assert(gives<Acceleration&, Traits&>([](auto& t) -> decltype((t.acceleration)) {}),
+                  "MapTraits: acceleration must be an Acceleration");
+    static_assert(gives<Refactorization_rule&, Traits&>([](auto& t) -> decltype((t.refactorization_rule)) {}),
+                  "MapTraits: refactorization_rule must be a Refactorization_rule");
+    static_assert(gives<Map_options&, Traits&>([](auto& t) -> decltype((t.options)) {}), "MapTraits: options must be Map_options");
+    static_assert(gives<Start_options&, Traits&>([](auto& t) -> decltype((t.start)) {}), "MapTraits: start must be Start_options");
+    // By reference it could be copied, and linear solvers need not be copyable.
+    static_assert(std::is_same<decltype(std::declval<const Traits&>().make_linear_solver()), Linear_solver>::value,
+                  "MapTraits: make_linear_solver() const must return a Linear_solver by value");
+    static_assert(has_orientation(), "MapTraits: Kernel must have the points of dimension D and their predicate Orientation_D");
   }
 
 private:
-  static void requirements(Traits& traits, const Traits& const_traits)
+  static constexpr bool has_orientation()
   {
-    Energy& energy = traits.energy;
-    Preconditioner& preconditioner = traits.preconditioner;
-    Reference& reference = traits.reference;
-    Acceleration& acceleration = traits.acceleration;
-    Refactorization_rule& rule = traits.refactorization_rule;
-    Map_options& options = traits.options;
-    Start_options& start = traits.start;
-    // Not a conversion: linear solvers need not be copyable.
-    static_assert(std::is_same<decltype(const_traits.make_linear_solver()), Linear_solver>::value,
-                  "make_linear_solver() must return a Linear_solver by value");
-    boost::ignore_unused_variable_warning(energy);
-    boost::ignore_unused_variable_warning(preconditioner);
-    boost::ignore_unused_variable_warning(reference);
-    boost::ignore_unused_variable_warning(acceleration);
-    boost::ignore_unused_variable_warning(rule);
-    boost::ignore_unused_variable_warning(options);
-    boost::ignore_unused_variable_warning(start);
+    if constexpr(D == 2)
+      return internal::gives<bool, const Kernel&>([](auto& k) -> decltype(orientation_2<std::decay_t<decltype(k)>>()) {});
+    else
+      return internal::gives<bool, const Kernel&>([](auto& k) -> decltype(orientation_3<std::decay_t<decltype(k)>>()) {});
   }
-  static void kernel_requirements()
-  {
-    bool is_positive;
-    if constexpr(D == 2) {
-      const typename Kernel::Point_2 p(0., 0.), q(1., 0.), r(0., 1.);
-      is_positive = typename Kernel::Orientation_2()(p, q, r) == CGAL::POSITIVE;
-    } else {
-      const typename Kernel::Point_3 p(0., 0., 0.), q(1., 0., 0.), r(0., 1., 0.), s(0., 0., 1.);
-      is_positive = typename Kernel::Orientation_3()(p, q, r, s) == CGAL::POSITIVE;
-    }
-    boost::ignore_unused_variable_warning(is_positive);
-  }
+
+  // Declared only.
+  template <typename K, typename P = typename K::Point_2, typename = decltype(P(0., 0.))>
+  static auto orientation_2()
+    -> decltype(typename K::Orientation_2()(std::declval<P>(), std::declval<P>(), std::declval<P>()) == CGAL::POSITIVE);
+  template <typename K, typename P = typename K::Point_3, typename = decltype(P(0., 0., 0.))>
+  static auto orientation_3()
+    -> decltype(typename K::Orientation_3()(std::declval<P>(), std::declval<P>(), std::declval<P>(), std::declval<P>()) == CGAL::POSITIVE);
   /// \endcond
 };
 

@@ -35,7 +35,7 @@ public:
   bool clamps_element_matrices; ///< whether each element's matrix is to be projected to the positive semidefinite ones
 
   /// Holds an `Adaptive_preconditioner`.
-  Any_preconditioner() : Any_preconditioner(Adaptive_preconditioner()) {}
+  Any_preconditioner();
 
   /// Holds a copy of `preconditioner`.
   /// \tparam Preconditioner must be a model of `Preconditioner`; with those of the plane only, runs in space end with
@@ -133,5 +133,9 @@ private:
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/preconditioners/Any_preconditioner_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_PRECONDITIONERS_ANY_PRECONDITIONER_H

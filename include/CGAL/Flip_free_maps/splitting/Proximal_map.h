@@ -76,16 +76,10 @@ struct ProximalEnergyConcept : DistortionEnergyConcept<Energy, D>
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(ProximalEnergyConcept)
   {
-    static_assert(internal::Has_proximal<Energy, D>::value, "an energy needs a member function proximal<D>(q, c)");
-    const auto check = &ProximalEnergyConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  static void requirements(const Energy& energy, const internal::Vector<D>& q, double c)
-  {
-    const internal::Vector<D> p = energy.template proximal<D>(q, c);
-    boost::ignore_unused_variable_warning(p);
+    using Vector = internal::Vector<D>;
+    static_assert(internal::gives<Vector, const Energy&, const Vector&, double>(
+                    [](auto& e, auto& q, double c) -> decltype(e.template proximal<D>(q, c)) {}),
+                  "ProximalEnergy: proximal<D>(q, c) const must return singular values");
   }
   /// \endcond
 };
@@ -98,28 +92,29 @@ struct SplittingStepConcept
   /// \cond SKIP_IN_MANUAL
   BOOST_CONCEPT_USAGE(SplittingStepConcept)
   {
-    const auto check = &SplittingStepConcept::requirements;
-    boost::ignore_unused_variable_warning(check);
-  }
-
-private:
-  using Matrix = internal::Matrix<D>;
-
-  static void requirements(const Energy& energy, const Splitting_options& options, double measure, bool yes, Splitting_errors& errors)
-  {
-    const std::string name = Step::name();
-    const Step step(energy, options);
-    typename Step::Element element;
-    const typename Step::Element copy(element);
-    const Matrix& jacobian = copy.jacobian;
-    const double penalty = copy.penalty;
-    element.jacobian = jacobian;
-    step.start(jacobian, measure, yes, element);
-    step.update(jacobian, measure, yes, yes, element, errors);
-    const Matrix pull = Step::pull(copy);
-    boost::ignore_unused_variable_warning(name);
-    boost::ignore_unused_variable_warning(penalty);
-    boost::ignore_unused_variable_warning(pull);
+    using internal::gives;
+    using Matrix = internal::Matrix<D>;
+    using Element = typename Step::Element;
+    static_assert(gives<std::string, const Step&>([](auto& s) -> decltype(std::decay_t<decltype(s)>::name()) {}),
+                  "SplittingStep: a static function name() must return the name of the step");
+    static_assert(std::is_constructible<Step, const Energy&, const Splitting_options&>::value,
+                  "SplittingStep: the constructor must take an energy and Splitting_options");
+    static_assert(std::is_default_constructible<Element>::value && std::is_copy_constructible<Element>::value,
+                  "SplittingStep: Element must be default and copy constructible");
+    static_assert(gives<Matrix&, Element&>([](auto& element) -> decltype((element.jacobian)) {}),
+                  "SplittingStep: Element::jacobian must be a matrix");
+    static_assert(gives<double, const Element&>([](auto& element) -> decltype((element.penalty)) {}),
+                  "SplittingStep: Element::penalty must be a number");
+    static_assert(gives<void, const Step&, const Matrix&, Element&>(
+                    [](auto& s, auto& j, auto& element) -> decltype(s.start(j, double(), bool(), element)) {}),
+                  "SplittingStep: start(jacobian, measure, ..., element) const is missing");
+    static_assert(
+      gives<void, const Step&, const Matrix&, Element&, Splitting_errors&>(
+        [](auto& s, auto& j, auto& element, auto& errors) -> decltype(s.update(j, double(), bool(), bool(), element, errors)) {}),
+      "SplittingStep: update(jacobian, measure, ..., element, errors) const is missing");
+    static_assert(
+      gives<Matrix, const Step&, const Element&>([](auto& s, auto& element) -> decltype(std::decay_t<decltype(s)>::pull(element)) {}),
+      "SplittingStep: a static function pull(element) must return a matrix");
   }
   /// \endcond
 };

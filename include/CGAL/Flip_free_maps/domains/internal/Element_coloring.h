@@ -8,38 +8,17 @@
 #ifndef CGAL_FLIP_FREE_MAPS_DOMAINS_INTERNAL_ELEMENT_COLORING_H
 #define CGAL_FLIP_FREE_MAPS_DOMAINS_INTERNAL_ELEMENT_COLORING_H
 
-#include <CGAL/tags.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
+#include <CGAL/Flip_free_maps/internal/for_each_index.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
-
-// Calls f(i) for i in [0, n): in parallel when the tag allows it and TBB is linked.
-template <typename ConcurrencyTag, typename F>
-void for_each_index(std::size_t n, F&& f)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr(std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
-    if(n > 1) {
-      tbb::parallel_for(std::size_t(0), n, f);
-      return;
-    }
-  }
-#endif
-  for(std::size_t i = 0; i < n; ++i)
-    f(i);
-}
 
 // Splits the elements into chunks of consecutive ones and colours the chunks so that two of one colour share no vertex. Chunks of
 // one colour may scatter to the vertices in parallel without atomics; since neither chunks nor colours depend on the number of

@@ -39,6 +39,8 @@ void project_to_psd(Eigen::Matrix<double, N, N>& matrix, bool absolute = false)
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
 extern template void project_to_psd<2>(Eigen::Matrix<double, 2, 2>&, bool);
 extern template void project_to_psd<3>(Eigen::Matrix<double, 3, 3>&, bool);
+extern template void project_to_psd<6>(Eigen::Matrix<double, 6, 6>&, bool);
+extern template void project_to_psd<12>(Eigen::Matrix<double, 12, 12>&, bool);
 #endif
 
 } // namespace internal

@@ -9,8 +9,8 @@
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_PROGRESSIVE_DISK_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
 #include <CGAL/Flip_free_maps/elements/internal/rest_shape.h>
+#include <CGAL/Flip_free_maps/internal/for_each_index.h>
 
 #include <Eigen/Geometry>
 

@@ -16,9 +16,9 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/splitting/Linear_constraints.h>
+#include <CGAL/Flip_free_maps/splitting/internal/Dense_system.h>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include <array>
 #include <cstddef>
@@ -172,7 +172,7 @@ private:
     system.topLeftCorner(m, m) = m_coefficients * m_responses;
     system.topRightCorner(m, k) = -m_coefficients * m_translations;
     system.bottomLeftCorner(k, m) = system.topRightCorner(m, k).transpose();
-    m_schur.compute(system);
+    m_schur.factorize(system);
     return true;
   }
 
@@ -203,7 +203,7 @@ private:
   Eigen::MatrixXd m_coefficients;
   Eigen::MatrixXd m_translations;
   Eigen::MatrixXd m_responses;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> m_schur;
+  Dense_system m_schur;
 };
 
 } // namespace internal
