@@ -17,7 +17,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -68,9 +70,10 @@ private:
 class Outline_packer
 {
 public:
-  // Charts keep the distance from each other; the square's side is 1.
-  Outline_packer(const std::vector<Chart_outline>& outlines, double distance, int orientations)
-    : m_outlines(outlines), m_distance(distance), m_orientations(orientations)
+  // Charts keep the distance from each other; the square's side is 1. The orientations are evenly spaced, and all of them may be
+  // turned further if charts turn freely.
+  Outline_packer(const std::vector<Chart_outline>& outlines, double distance, int orientations, bool turns_freely)
+    : m_outlines(outlines), m_distance(distance), m_orientations(orientations), m_turns_freely(turns_freely)
   {}
 
   // Whether there are packings with scales between these; none are looked for any more once `must_stop()` holds.
@@ -88,6 +91,7 @@ public:
       while(!must_stop() && fits(low * (1 + SCALE_TOLERANCE), must_stop))
         low *= 1 + SCALE_TOLERANCE;
     }
+    search(low, must_stop);
     return m_scale > 0;
   }
 
@@ -97,6 +101,9 @@ public:
 private:
   static constexpr int SIZE = 512, WORDS = SIZE / 64;
   static constexpr double SCALE_TOLERANCE = 0.01;
+  // Of the search: the least gain that counts, and the number of rows of figures that are tried, some tenths of a second.
+  static constexpr double SEARCH_STEP = 0.004;
+  static constexpr std::int64_t MOST_WORK = 1000000;
   // Rounding of coordinates, in cells.
   static constexpr double SLACK = 1e-6;
 
@@ -116,22 +123,57 @@ private:
     std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
   }
 
+  // Looks for orders and orientations near the best ones that allow a larger scale, with a bounded amount of work.
+  template <typename MustStop>
+  void search(double low, const MustStop& must_stop)
+  {
+    const std::size_t n = m_outlines.size();
+    std::minstd_rand random;
+    std::vector<std::size_t> best = m_best_order.empty() ? m_order : m_best_order;
+    for(m_work = 0; m_work < MOST_WORK && !must_stop();) {
+      m_order = best;
+      // The chart that had no place comes earlier.
+      const auto failed = std::find(m_order.begin(), m_order.end(), m_failed);
+      if(failed != m_order.end() && failed != m_order.begin() && random() % 2 == 0)
+        std::rotate(m_order.begin() + random() % (failed - m_order.begin()), failed, failed + 1);
+      for(std::size_t swaps = random() % 3; swaps > 0; --swaps) {
+        const std::size_t a = random() % n, b = random() % n;
+        std::swap(m_order[a], m_order[b]);
+      }
+      m_first_orientation = static_cast<int>(random() % m_orientations);
+      if(m_turns_freely && (n == 1 || random() % 4 == 0)) {
+        m_turn = static_cast<double>(random() % 64) / 64;
+        m_figures.clear();
+      }
+      bool is_better = false;
+      while(!must_stop() && fits(low * (1 + SEARCH_STEP), must_stop)) {
+        low *= 1 + SEARCH_STEP;
+        is_better = true;
+      }
+      if(is_better)
+        best = m_order;
+    }
+  }
+
   // A chart in one orientation.
   struct Figure
   {
-    Cell_mask mask;
+    int width = 0, height = 0;            // 0 when it is too large
     std::vector<std::array<int, 3>> runs; // of each 16th row first
     Outline_place turn;
   };
 
-  // The cells that a chart touches: those along its border, and those whose centres it contains. Empty when it is too large.
+  // The cells that a chart touches: those along its border, and those whose centres it contains.
   Figure figure(const Chart_outline& outline, double scale, int orientation) const;
+
+  // The same, made once for a scale.
+  const Figure& known_figure(std::size_t c, double scale, int orientation);
 
   // Moves a row to the left.
   static Row shifted(const Row& row, int by);
 
   // The first place in a row of the grid where a figure touches no cell that is taken; -1 if there is none.
-  int first_place(const Figure& figure, int y) const;
+  int first_place(const Figure& figure, int y);
 
   // Takes all cells that are nearer to a figure than the distance.
   void take(const Figure& figure, int x, int y);
@@ -144,32 +186,34 @@ private:
     for(const std::size_t c : m_order) {
       if(must_stop())
         return false;
-      Figure best;
+      const Figure* best = nullptr;
       int best_top = SIZE + 1, best_x = 0, best_y = 0;
-      for(int orientation = 0; orientation < m_orientations; ++orientation) {
-        Figure figure = this->figure(m_outlines[c], scale, orientation);
-        const int height = figure.mask.height();
-        if(height == 0)
+      for(int i = 0; i < m_orientations; ++i) {
+        const Figure& figure = known_figure(c, scale, (m_first_orientation + i) % m_orientations);
+        if(figure.height == 0)
           continue;
-        for(int y = 0; y + height < best_top && y + height <= SIZE; ++y) {
+        for(int y = 0; y + figure.height < best_top && y + figure.height <= SIZE; ++y) {
           const int x = first_place(figure, y);
           if(x < 0)
             continue;
-          best_top = y + height;
+          best_top = y + figure.height;
           best_x = x;
           best_y = y;
-          best = std::move(figure);
+          best = &figure;
           break;
         }
       }
-      if(best_top > SIZE)
+      if(best == nullptr) {
+        m_failed = c;
         return false;
-      take(best, best_x, best_y);
-      places[c] = best.turn;
+      }
+      take(*best, best_x, best_y);
+      places[c] = best->turn;
       places[c].x = static_cast<double>(best_x) / SIZE;
       places[c].y = static_cast<double>(best_y) / SIZE;
     }
     m_scale = scale;
+    m_best_order = m_order;
     m_places.swap(places);
     return true;
   }
@@ -177,10 +221,17 @@ private:
   const std::vector<Chart_outline>& m_outlines;
   double m_distance;
   int m_orientations;
+  bool m_turns_freely;
   double m_scale = -1;
-  std::vector<std::size_t> m_order;
+  std::vector<std::size_t> m_order, m_best_order;
   std::vector<Outline_place> m_places;
   std::vector<Row> m_grid;
+  std::vector<std::vector<Figure>> m_figures; // by chart and orientation, at one scale; empty runs where none was made
+  double m_figures_scale = -1;
+  double m_turn = 0; // of all orientations, in parts of the angle between two of them
+  int m_first_orientation = 0;
+  std::size_t m_failed = (std::numeric_limits<std::size_t>::max)(); // the last chart that had no place
+  std::int64_t m_work = 0;
 };
 
 } // namespace internal

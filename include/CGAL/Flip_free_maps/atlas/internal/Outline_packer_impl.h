@@ -53,7 +53,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Figure Outline_packer::figure(const C
   Figure result;
   // Quarter turns are exact.
   const int quarter = 4 * orientation / m_orientations;
-  const double rest = 2 * CGAL_PI * orientation / m_orientations - CGAL_PI / 2 * quarter;
+  const double rest = 2 * CGAL_PI * (orientation + m_turn) / m_orientations - CGAL_PI / 2 * quarter;
   const double c = std::cos(rest), s = std::sin(rest);
   const double cosines[] = {c, -s, -c, s}, sines[] = {s, c, -s, -c};
   result.turn.cosine = cosines[quarter];
@@ -67,9 +67,11 @@ CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Figure Outline_packer::figure(const C
   const Vector<2> size = a.rowwise().maxCoeff();
   if(size.maxCoeff() > SIZE - 2 * SLACK)
     return result;
-  result.mask = Cell_mask(static_cast<int>(size[0] + SLACK) + 1, static_cast<int>(size[1] + SLACK) + 1);
+  result.width = static_cast<int>(size[0] + SLACK) + 1;
+  result.height = static_cast<int>(size[1] + SLACK) + 1;
+  Cell_mask mask(result.width, result.height);
   // With signs, since a chart may overlap itself.
-  std::vector<std::vector<std::pair<double, int>>> crossings(result.mask.height());
+  std::vector<std::vector<std::pair<double, int>>> crossings(result.height);
   for(Eigen::Index i = 0; i < a.cols(); ++i) {
     const bool is_up = a(1, i) <= b(1, i);
     const Vector<2> p = is_up ? a.col(i) : b.col(i), q = is_up ? b.col(i) : a.col(i);
@@ -79,27 +81,40 @@ CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Figure Outline_packer::figure(const C
     const int last = static_cast<int>(std::floor(q[1] + SLACK));
     for(int y = static_cast<int>(std::floor(p[1] - SLACK)); y <= last; ++y) {
       const double x0 = q[1] > p[1] ? at(y - SLACK) : p[0], x1 = q[1] > p[1] ? at(y + 1 + SLACK) : q[0];
-      result.mask.fill(y, static_cast<int>(std::floor((std::min)(x0, x1) - SLACK)),
-                       static_cast<int>(std::floor((std::max)(x0, x1) + SLACK)));
-      if(y >= 0 && y < result.mask.height() && p[1] <= y + 0.5 && q[1] > y + 0.5)
+      mask.fill(y, static_cast<int>(std::floor((std::min)(x0, x1) - SLACK)), static_cast<int>(std::floor((std::max)(x0, x1) + SLACK)));
+      if(y >= 0 && y < result.height && p[1] <= y + 0.5 && q[1] > y + 0.5)
         crossings[y].emplace_back(at(y + 0.5), is_up ? 1 : -1);
     }
   }
-  for(int y = 0; y < result.mask.height(); ++y) {
+  for(int y = 0; y < result.height; ++y) {
     std::sort(crossings[y].begin(), crossings[y].end());
     int turns = 0;
     for(std::size_t i = 0; i + 1 < crossings[y].size(); ++i) {
       turns += crossings[y][i].second;
       if(turns != 0)
-        result.mask.fill(y, static_cast<int>(std::ceil(crossings[y][i].first - 0.5)),
-                         static_cast<int>(std::floor(crossings[y][i + 1].first - 0.5)));
+        mask.fill(y, static_cast<int>(std::ceil(crossings[y][i].first - 0.5)),
+                  static_cast<int>(std::floor(crossings[y][i + 1].first - 0.5)));
     }
   }
   const int stride = 16;
-  result.runs = result.mask.runs();
+  result.runs = mask.runs();
   std::stable_sort(result.runs.begin(), result.runs.end(),
                    [](const std::array<int, 3>& r, const std::array<int, 3>& t) { return r[2] % stride < t[2] % stride; });
   return result;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Figure& Outline_packer::known_figure(std::size_t c, double scale, int orientation)
+{
+  if(scale != m_figures_scale || m_figures.empty()) {
+    m_figures.assign(m_outlines.size(), std::vector<Figure>(m_orientations));
+    m_figures_scale = scale;
+  }
+  Figure& known = m_figures[c][orientation];
+  if(known.runs.empty()) {
+    known = figure(m_outlines[c], scale, orientation);
+    m_work += m_outlines[c].sources.cols() / 4;
+  }
+  return known;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Row Outline_packer::shifted(const Row& row, int by)
@@ -113,9 +128,9 @@ CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Row Outline_packer::shifted(const Row
   return result;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::first_place(const Figure& figure, int y) const
+CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::first_place(const Figure& figure, int y)
 {
-  const int places = SIZE - figure.mask.width() + 1;
+  const int places = SIZE - figure.width + 1;
   Row free;
   for(int i = 0; i < WORDS; ++i)
     free[i] = places >= 64 * (i + 1) ? ~std::uint64_t(0) : places <= 64 * i ? 0 : (std::uint64_t(1) << (places - 64 * i)) - 1;
@@ -132,6 +147,7 @@ CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::first_place(const Figure& figure,
       done += step;
     }
     taken = shifted(taken, run[0]);
+    ++m_work;
     std::uint64_t any = 0;
     for(int i = 0; i < WORDS; ++i)
       any |= free[i] &= ~taken[i];

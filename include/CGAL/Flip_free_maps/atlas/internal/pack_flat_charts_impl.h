@@ -92,7 +92,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const s
   // In the square that is left within the sides' margin.
   const double side = 1 - options.distance();
   const int orientations = !options.rotate || charts.size() > 256 ? 4 : charts.size() > 32 ? 8 : 16;
-  Outline_packer packer(outlines, options.distance() / side, orientations);
+  Outline_packer packer(outlines, options.distance() / side, orientations, options.rotate);
   if(packer.pack(scale / side, std::sqrt(1 / area), [&must_stop] { return must_stop && must_stop(); })) {
     scale = packer.scale() * side;
     places = packer.places();
