@@ -294,7 +294,7 @@ Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const CGAL::N
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same for a polygon soup, as the functions of the package \ref PkgPolygonMeshProcessing take it.
+/// The same for a polygon soup, as the functions of CGAL's package Polygon_mesh_processing take it.
 ///
 /// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space. Those that no
 ///   polygon uses may have any value.
