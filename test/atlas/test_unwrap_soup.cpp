@@ -309,6 +309,15 @@ BOOST_AUTO_TEST_CASE(polygons_that_cannot_be_laid_flat_as_they_are)
   odd.points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}};
   odd.polygons = {{0, 2, 1, 3}};
   checked(odd);
+  for(const int corners : {5, 101, 501}) {
+    Soup star;
+    star.polygons.emplace_back();
+    for(int i = 0; i < corners; ++i) {
+      const double angle = 4 * CGAL_PI * i / corners;
+      star.polygons[0].push_back(star.add(std::cos(angle), std::sin(angle), 0));
+    }
+    checked(star);
+  }
   Soup ring;
   for(int i = 0; i < 4; ++i)
     ring.add(i % 3 == 0 ? -2 : 2, i < 2 ? -2 : 2, 0);

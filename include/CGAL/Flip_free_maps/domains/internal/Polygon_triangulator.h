@@ -34,8 +34,8 @@ public:
   const std::vector<std::array<int, 3>>& triangulate(const Positions<3>& corners, const Is_undesired& is_undesired);
 
 private:
-  // Of corners: beyond, the best choice is given up, which takes the third power of the number as its time.
-  static constexpr int MOST_CORNERS = 64;
+  // The best choice takes the third power of the number of corners as its time: what is tried first, and what is tried last.
+  static constexpr int FEW_CORNERS = 64, MOST_CORNERS = 300;
   // Costs; a round triangle has about 3.
   static constexpr double UNDESIRED = 1e8, NOT_POSITIVE = 1e12, TWO_AT_ONE_PLACE = 1e20;
 

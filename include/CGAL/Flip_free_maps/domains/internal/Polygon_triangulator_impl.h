@@ -53,9 +53,9 @@ CGAL_FLIP_FREE_MAPS_INLINE const std::vector<std::array<int, 3>>& Polygon_triang
       add(0, 1, 3);
       add(1, 2, 3);
     }
-  } else if(n <= MOST_CORNERS) {
+  } else if(n <= FEW_CORNERS || (!triangulate_in_plane(corners, m_normal) && n <= MOST_CORNERS)) {
     choose_best(n);
-  } else if(!triangulate_in_plane(corners, m_normal)) {
+  } else if(m_triangles.empty()) {
     strip(n);
   }
   return m_triangles;

@@ -237,9 +237,9 @@ CGAL_FLIP_FREE_MAPS_INLINE void Surface_view::link_bundle(std::vector<Side> side
   else
     link_smoothly(sides, angles);
   for(const Side& side : flat)
-    for(const Side& other : all)
-      if(m_opposite[side.place] < 0 && m_opposite[other.place] < 0)
-        link(side, other);
+    for(std::size_t i = 0; i < (std::min)(all.size(), MOST_PAIRS); ++i)
+      if(m_opposite[side.place] < 0 && m_opposite[all[i].place] < 0)
+        link(side, all[i]);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Surface_view::link_by_indices(std::vector<Side>& sides)
