@@ -491,6 +491,24 @@ BOOST_AUTO_TEST_CASE(faces_without_area)
   BOOST_TEST(whole.summary.seam_edges == 0);
   BOOST_TEST(whole.summary.energy < 1.01);
 
+  // In numbers of single precision, and with a cap that is very thin before it is nothing.
+  for(const double place : {0.5, 1e-6, 1e-12}) {
+    for(int i = 0; i < 3; ++i)
+      cap.points[2][i] = cap.points[0][i] + place * (cap.points[1][i] - cap.points[0][i]);
+    std::vector<std::array<std::array<float, 2>, 3>> images;
+    const FFM::Unwrap_summary summary = FFM::unwrap(cap.points, cap.polygons, images);
+    BOOST_TEST_REQUIRE(summary.is_valid(), summary.message);
+    BOOST_TEST(summary.charts.size() == 1u);
+    std::vector<std::vector<Exact::Point_2>> rings;
+    for(const auto& image : images) {
+      rings.emplace_back();
+      for(const auto& q : image)
+        rings.back().emplace_back(q[0], q[1]);
+      BOOST_TEST(CGAL::orientation(rings.back()[0], rings.back()[1], rings.back()[2]) == CGAL::LEFT_TURN);
+    }
+    BOOST_TEST(are_disjoint(rings));
+  }
+
   // A fan whose corners are all on a line, as programs make it of an edge with vertices on it; and nothing but a line.
   for(const bool is_alone : {false, true}) {
     Soup fan;
