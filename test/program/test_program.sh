@@ -580,8 +580,11 @@ done << 'END'
 8 vertex.off
 8 orientation.off
 8 moebius.off
-9 zero_area.off
 END
+atlas zero_area.off --repair
+# A face without area needs no repair.
+expect 0 unwrap zero_area.off -o atlas.obj --json atlas.json
+check "faces without area are counted" less 0 "$(total atlas.json faces_without_area)"
 atlas sheet.off --repair
 check "nothing to repair" grep -q '"repairs": "nothing' atlas.json
 expect 3 unwrap nan.ply --repair

@@ -8,15 +8,16 @@
 #ifndef CGAL_FLIP_FREE_MAPS_UNWRAP_H
 #define CGAL_FLIP_FREE_MAPS_UNWRAP_H
 
-#include <CGAL/Flip_free_maps/core/unwrap_triangles.h>
+#include <CGAL/Flip_free_maps/core/unwrap_polygons.h>
 #include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/internal/Surface_view.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
-#include <CGAL/Flip_free_maps/core/unwrap_triangles_impl.h>
+#include <CGAL/Flip_free_maps/core/unwrap_polygons_impl.h>
 #endif
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -27,6 +28,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -41,6 +43,14 @@ namespace Flip_free_maps {
 
 namespace internal {
 
+template <typename Images, typename = void>
+struct Has_resize : std::false_type
+{};
+
+template <typename Images>
+struct Has_resize<Images, std::void_t<decltype(std::declval<Images&>().resize(std::size_t(3)))>> : std::true_type
+{};
+
 enum Face_chart_map_tag
 {
   face_chart_map_tag
@@ -50,39 +60,66 @@ enum Edge_is_seam_map_tag
   edge_is_seam_map_tag
 };
 
-// Numbers the vertices and corners of a triangle mesh. False, and the summary says why, if a face is no triangle.
-template <typename TriangleMesh, typename VertexPointMap, typename Face, typename Halfedge>
-bool load_triangles(const TriangleMesh& mesh, const VertexPointMap& vertex_points, std::vector<Face>& all_faces,
-                    std::vector<std::array<Halfedge, 3>>& corners, Atlas_request& request, Unwrap_summary& summary)
+// Numbers the vertices and corners of a mesh.
+template <typename FaceGraph, typename VertexPointMap, typename Face, typename Halfedge>
+void read_polygon_soup(const FaceGraph& mesh, const VertexPointMap& vertex_points, std::vector<Face>& all_faces,
+                       std::vector<Halfedge>& corners, Polygon_soup& soup)
 {
   std::vector<Vector<3>> points;
-  std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, std::int32_t> numbers;
+  std::unordered_map<typename boost::graph_traits<FaceGraph>::vertex_descriptor, std::int32_t> numbers;
   for(const Face face : faces(mesh)) {
-    std::array<Halfedge, 3> corner;
-    std::array<std::int32_t, 3> triangle;
-    Halfedge h = halfedge(face, mesh);
-    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+    const Halfedge first = halfedge(face, mesh);
+    Halfedge h = first;
+    do {
       const auto entry = numbers.emplace(target(h, mesh), static_cast<std::int32_t>(points.size()));
       if(entry.second) {
         const auto& p = get(vertex_points, target(h, mesh));
         points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
       }
-      corner[k] = h;
-      triangle[k] = entry.first->second;
-    }
-    if(h != corner[0] || next(corner[0], mesh) == corner[0]) {
-      summary.status = Status::not_triangular;
-      summary.message = "the mesh must consist of triangles; not so face number " + std::to_string(all_faces.size());
-      return false;
-    }
+      corners.push_back(h);
+      soup.vertices.push_back(entry.first->second);
+      h = next(h, mesh);
+    } while(h != first);
     all_faces.push_back(face);
-    corners.push_back(corner);
-    request.triangles.push_back(triangle);
+    soup.first_corners.push_back(soup.number_of_corners());
   }
-  request.points.resize(3, points.size());
+  soup.points.resize(3, points.size());
   for(std::size_t v = 0; v < points.size(); ++v)
-    request.points.col(v) = points[v];
-  return true;
+    soup.points.col(v) = points[v];
+  soup.has_point_numbers = false;
+}
+
+// The side to a corner is the one from the corner before.
+inline std::vector<std::int32_t> sides_to_corners(const Polygon_soup& soup)
+{
+  std::vector<std::int32_t> result;
+  for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
+    for(std::int32_t c = soup.first_corners[p]; c < soup.first_corners[p + 1]; ++c)
+      result.push_back(soup.prev(p, c));
+  return result;
+}
+
+// The sides of polygons that a property map of pairs of indices tells about.
+template <typename EdgeMap>
+std::vector<std::int32_t> marked_sides(const Polygon_soup& soup, const EdgeMap& map)
+{
+  std::vector<std::int32_t> result;
+  for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
+    for(std::int32_t c = soup.first_corners[p]; c < soup.first_corners[p + 1]; ++c) {
+      const auto ends = std::minmax({soup.vertices[c], soup.vertices[soup.next(p, c)]});
+      if(get(map, std::pair<std::size_t, std::size_t>(ends.first, ends.second)))
+        result.push_back(c);
+    }
+  return result;
+}
+
+// Whether a container of images can have as many as a polygon has corners, and makes it have them.
+template <typename Images>
+bool resize_images(Images& images, std::size_t size)
+{
+  if constexpr(Has_resize<Images>::value)
+    images.resize(size);
+  return number_of_corners(images) == size;
 }
 
 } // namespace internal
@@ -109,18 +146,30 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 } // namespace parameters
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Makes a texture atlas of any triangle mesh, closed or with holes, of any genus and any number of components: cuts it open,
-/// flattens the pieces with as little distortion as possible, and packs them into the unit square. No triangle is flipped, and no
-/// two triangles of the atlas overlap, by exact predicates on the numbers that the caller receives.
+/// Makes a texture atlas of any polygon mesh, closed or with holes, of any genus and any number of components: cuts it open,
+/// flattens the pieces with as little distortion as possible, and packs them into the unit square. Polygons are counterclockwise in
+/// the order of their own corners, none of the triangles that they consist of is flipped, and no two polygons of the atlas overlap,
+/// by exact predicates on the numbers that the caller receives.
 ///
-/// \tparam TriangleMesh must be a model of `FaceListGraph` whose vertex descriptors are `Hashable`
+/// What is flattened is a view of the mesh, which itself is not touched:
+/// - Vertices at the same place are one vertex as far as it matters which faces are neighbours.
+/// - Faces may be polygons, convex or not, planar or not. They are cut into triangles by diagonals that suit their shapes; no seam
+///   runs through a face.
+/// - Where more than two faces have an edge, or faces of different windings, or several sheets a vertex, they are kept apart by
+///   seams: no image is mirrored. Faces that occur twice have two images. `Unwrap_summary::parted_edges` counts such edges.
+/// - Faces without area are counted and named, see `Unwrap_summary::faces_without_area`. Those with corners at less than three
+///   places get the images of these places, all others thin ones that are as valid as any.
+///
+/// With `Unwrap_options::strict` all these are refused.
+///
+/// \tparam FaceGraph must be a model of `FaceListGraph` whose vertex descriptors are `Hashable`
 /// \tparam HalfedgeUVMap must be a model of `WritablePropertyMap` with halfedge descriptors as keys and planar points as values
 /// \tparam Traits must be a model of `MapTraits`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param mesh a triangle mesh; it is not changed
-/// \param uv_map receives the image of `target(h, mesh)` in the triangle `face(h, mesh)` for each halfedge `h` that is not on the
-///   border. It is written once, at the end, if the atlas is valid, and left untouched otherwise. Triangles are counterclockwise.
+/// \param mesh a mesh of polygons; it is not changed
+/// \param uv_map receives the image of `target(h, mesh)` in the face `face(h, mesh)` for each halfedge `h` that is not on the
+///   border. It is written once, at the end, if the atlas is valid, and left untouched otherwise.
 /// \param options where to cut, when to split, how to pack, when to stop
 /// \param traits the method and its settings, for each chart, see `Flip_free_map_traits`
 /// \param np optional named parameters
@@ -142,12 +191,13 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{Flip_free_maps::parameters::face_chart_map}
-///     \cgalParamDescription{receives the number of each face's chart, its place in `Unwrap_summary::charts`}
+///     \cgalParamDescription{receives the number of each face's chart, its place in `Unwrap_summary::charts`; -1 for faces with
+///     corners at less than three places}
 ///     \cgalParamType{a model of `WritablePropertyMap` with face descriptors as keys and integers as values}
 ///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{Flip_free_maps::parameters::edge_is_seam_map}
-///     \cgalParamDescription{receives whether an edge is a seam: whether its two triangles give different images to it.
+///     \cgalParamDescription{receives whether an edge is a seam: whether its two faces give different images to it.
 ///     `false` on the border}
 ///     \cgalParamType{a model of `WritablePropertyMap` with edge descriptors as keys and `bool` as values}
 ///     \cgalParamDefault{not written}
@@ -156,41 +206,41 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 ///
 /// Pieces are cut by `cut_to_disk()` and flattened as by `parameterize()`. A piece that overlaps itself, which a map without
 /// flips may do at its borders, is split between two places of the border that cross, and the parts are flattened anew; so is one
-/// whose distortion exceeds `Unwrap_options::max_distortion`. Both come to an end, since a single triangle does neither. When the
+/// whose distortion exceeds `Unwrap_options::max_distortion`. Both come to an end at single faces, which are not split. When the
 /// time is up, or the observer has asked to stop, parts keep the map that the whole had, which is valid, too.
 ///
 /// \returns how it ended and what each chart is like; `Unwrap_summary::is_valid()` tells whether the maps were written. Bad input
-///   gives a status and a message, not an exception: `empty_mesh`, `not_triangular`, `non_manifold`, `degenerate_rest_element`,
-///   `non_finite_input`, `invalid_option`, `start_not_flip_free`, `linear_solver_failed`, `line_search_failed`,
-///   `result_not_representable`, `out_of_memory`.
+///   gives a status and a message, not an exception: `empty_mesh`, `degenerate_rest_element` if no face has corners at three
+///   different places, `non_finite_input` for a coordinate of a face that is NaN or infinite, `invalid_option`,
+///   `start_not_flip_free`, `linear_solver_failed`, `line_search_failed`, `result_not_representable`, `out_of_memory`; also
+///   `not_triangular`, `non_manifold` and `degenerate_rest_element` if it is to be strict.
 ///
-/// Complexity: that of `cut_to_disk()` and of `parameterize()`, for each time that a piece is flattened, and of `is_bijective()`.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Traits,
+/// Complexity: O(n log n) for the view; that of `cut_to_disk()` and of `parameterize()`, for each time that a piece is flattened, and of `is_bijective()`.
+template <typename FaceGraph, typename HalfedgeUVMap, typename Traits,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options, const Traits& traits,
+Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options, const Traits& traits,
                       const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  using Halfedge = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
+  using Face = typename boost::graph_traits<FaceGraph>::face_descriptor;
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
   const auto vertex_points =
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
   Unwrap_summary summary;
   const auto run = [&] {
     std::vector<Face> all_faces;
-    std::vector<std::array<Halfedge, 3>> corners;
+    std::vector<Halfedge> corners;
     internal::Atlas_request request;
-    if(!internal::load_triangles(mesh, vertex_points, all_faces, corners, request, summary))
-      return;
+    internal::read_polygon_soup(mesh, vertex_points, all_faces, corners, request.surface);
+    const std::vector<std::int32_t> sides = internal::sides_to_corners(request.surface);
     const auto marked = [&](const auto& map) {
-      std::vector<std::pair<std::int32_t, int>> edges;
-      for(std::size_t f = 0; f < corners.size(); ++f)
-        for(int k = 0; k < 3; ++k)
-          if(get(map, edge(corners[f][k], mesh)))
-            edges.emplace_back(static_cast<std::int32_t>(f), k);
-      return edges;
+      std::vector<std::int32_t> result;
+      for(std::size_t c = 0; c < corners.size(); ++c)
+        if(get(map, edge(corners[c], mesh)))
+          result.push_back(sides[c]);
+      return result;
     };
     if constexpr(internal::Has_parameter<NamedParameters, CGAL::internal_np::edge_is_constrained_t>::value)
       request.seams = marked(get_parameter(np, CGAL::internal_np::edge_is_constrained));
@@ -201,13 +251,12 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
 
     internal::Atlas_result result;
     Traits method = traits;
-    unwrap_triangles(request, options, method, result, summary);
+    unwrap_polygons(request, options, method, result, summary);
     if(!summary.is_valid())
       return;
     using boost::put; // for pointers
-    for(std::size_t f = 0; f < corners.size(); ++f)
-      for(int k = 0; k < 3; ++k)
-        put(uv_map, corners[f][k], internal::make_point_2<Point>(result.images[f][k][0], result.images[f][k][1]));
+    for(std::size_t c = 0; c < corners.size(); ++c)
+      put(uv_map, corners[c], internal::make_point_2<Point>(result.images[c][0], result.images[c][1]));
     if constexpr(internal::Has_parameter<NamedParameters, internal::Face_chart_map_tag>::value) {
       const auto chart_map = get_parameter(np, internal::face_chart_map_tag);
       using Number = typename boost::property_traits<std::decay_t<decltype(chart_map)>>::value_type;
@@ -216,9 +265,9 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
     }
     if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_seam_map_tag>::value) {
       const auto seam_map = get_parameter(np, internal::edge_is_seam_map_tag);
-      for(std::size_t f = 0; f < corners.size(); ++f)
-        for(int k = 0; k < 3; ++k)
-          put(seam_map, edge(corners[f][k], mesh), result.seams[f][k]);
+      const auto null_face = boost::graph_traits<FaceGraph>::null_face();
+      for(std::size_t c = 0; c < corners.size(); ++c)
+        put(seam_map, edge(corners[c], mesh), result.seams[sides[c]] && face(opposite(corners[c], mesh), mesh) != null_face);
     }
   };
   internal::catch_out_of_memory(run, summary);
@@ -227,8 +276,8 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with the default method.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
-Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options,
+template <typename FaceGraph, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
+Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options,
                       const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
   return unwrap(mesh, uv_map, options, internal::chosen_traits<internal::Default_method>(np), np);
@@ -237,49 +286,71 @@ Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwr
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with everything else as named parameters: `map_traits`, `map_options` and `unwrap_options` of
 /// `Flip_free_maps::parameters` beside those above.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
-Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+template <typename FaceGraph, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
+Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
   return unwrap(mesh, uv_map, internal::parameter_or(np, internal::unwrap_options_tag, Unwrap_options()),
                 internal::chosen_traits<internal::Default_method>(np), np);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same for arrays.
+/// The same for a polygon soup, as the functions of CGAL's package Polygon_mesh_processing take it.
 ///
-/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
-/// \param triangles the triangles: a container of triples of indices into `points`
-/// \param uv_of_corners receives the images of the corners of each triangle, in the order of its indices: a container of
-///   `std::array<Point_2, 3>`; it is left untouched if the atlas is not valid
-/// \param np optional named parameters: `map_traits`, `map_options` and `unwrap_options`
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space. Those that no
+///   polygon uses may have any value.
+/// \param polygons the faces: a container of containers of indices into `points`, of any number of corners, or of triples of them
+/// \param uv_of_corners receives the images of the corners of each polygon, in the order of its indices: a container of
+///   `std::vector<Point_2>`, or of `std::array<Point_2, 3>` for triangles; it is left untouched if the atlas is not valid
+/// \param np optional named parameters: `map_traits`, `map_options` and `unwrap_options`; `edge_is_constrained_map` and
+///   `edge_is_feature_map`, whose keys are pairs `std::pair<std::size_t, std::size_t>` of indices, the smaller one first; and
+///   `face_chart_map`, whose keys are the numbers of polygons
 /// \returns as above; also `invalid_option` for an index out of range
-template <typename PointRange, typename TriangleRange, typename CornerRange,
+template <typename PointRange, typename PolygonRange, typename CornerRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters,
           std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
-Unwrap_summary unwrap(const PointRange& points, const TriangleRange& triangles, CornerRange& uv_of_corners,
+Unwrap_summary unwrap(const PointRange& points, const PolygonRange& polygons, CornerRange& uv_of_corners,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
+  using CGAL::parameters::get_parameter;
   using Corners = typename CornerRange::value_type;
   using Point = std::decay_t<decltype(std::declval<Corners>()[0])>;
   Unwrap_summary summary;
   const auto run = [&] {
-    internal::Triangle_surface surface;
-    summary.status = surface.load(points, triangles, summary.message);
+    internal::Atlas_request request;
+    internal::Polygon_soup& soup = request.surface;
+    summary.status = internal::read_polygon_soup(points, polygons, soup, summary.message);
     if(summary.status != Status::success)
       return;
-    internal::Atlas_request request;
-    request.points = surface.points();
-    request.triangles = surface.triangles();
+    std::vector<Corners> corners(soup.number_of_polygons());
+    for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
+      if(!internal::resize_images(corners[p], soup.size(p))) {
+        summary.status = Status::invalid_option;
+        summary.message = "face number " + std::to_string(p) + " has " + std::to_string(soup.size(p)) + " corners, but there is room for " +
+                          std::to_string(internal::number_of_corners(corners[p])) + " images";
+        return;
+      }
+    if constexpr(internal::Has_parameter<NamedParameters, CGAL::internal_np::edge_is_constrained_t>::value)
+      request.seams = internal::marked_sides(soup, get_parameter(np, CGAL::internal_np::edge_is_constrained));
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_feature_map_tag>::value)
+      request.features = internal::marked_sides(soup, get_parameter(np, internal::edge_is_feature_map_tag));
     request.is_single_precision = std::is_same_v<internal::Coordinate<Point>, float>;
     internal::Atlas_result result;
     auto method = internal::chosen_traits<internal::Default_method>(np);
-    unwrap_triangles(request, internal::parameter_or(np, internal::unwrap_options_tag, Unwrap_options()), method, result, summary);
+    unwrap_polygons(request, internal::parameter_or(np, internal::unwrap_options_tag, Unwrap_options()), method, result, summary);
     if(!summary.is_valid())
       return;
-    std::vector<Corners> corners(result.images.size());
-    for(std::size_t f = 0; f < corners.size(); ++f)
-      for(int k = 0; k < 3; ++k)
-        corners[f][k] = internal::make_point_2<Point>(result.images[f][k][0], result.images[f][k][1]);
+    for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
+      for(std::int32_t k = 0; k < soup.size(p); ++k) {
+        const auto& image = result.images[soup.first_corners[p] + k];
+        corners[p][k] = internal::make_point_2<Point>(image[0], image[1]);
+      }
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Face_chart_map_tag>::value) {
+      using boost::put; // for pointers
+      const auto chart_map = get_parameter(np, internal::face_chart_map_tag);
+      using Number = typename boost::property_traits<std::decay_t<decltype(chart_map)>>::value_type;
+      for(std::size_t p = 0; p < corners.size(); ++p)
+        put(chart_map, p, static_cast<Number>(result.charts[p]));
+    }
     uv_of_corners = CornerRange(corners.begin(), corners.end());
   };
   internal::catch_out_of_memory(run, summary);
@@ -288,16 +359,16 @@ Unwrap_summary unwrap(const PointRange& points, const TriangleRange& triangles, 
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with default named parameters.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Traits>
-Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options, const Traits& traits)
+template <typename FaceGraph, typename HalfedgeUVMap, typename Traits>
+Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options, const Traits& traits)
 {
   return unwrap(mesh, uv_map, options, traits, CGAL::parameters::default_values());
 }
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same with the default method and default named parameters.
-template <typename TriangleMesh, typename HalfedgeUVMap>
-Unwrap_summary unwrap(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options = Unwrap_options())
+template <typename FaceGraph, typename HalfedgeUVMap>
+Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const Unwrap_options& options = Unwrap_options())
 {
   return unwrap(mesh, uv_map, options, internal::Default_method(), CGAL::parameters::default_values());
 }

@@ -56,6 +56,9 @@ struct Unwrap_options
   /// surface, are split if charts are packed and `max_distortion` is finite: a single long one would leave most of the square
   /// empty. At least 1; infinity for any length.
   double max_length = 1.2;
+  /// Whether surfaces are refused that are no triangle meshes whose faces have an area and are joined by their indices to a manifold.
+  /// Otherwise all are taken, see `unwrap()`.
+  bool strict = false;
   /// After this many seconds of wall-clock time no seam and no chart is improved any more. The result is as valid as any other,
   /// but more distorted.
   double max_seconds = std::numeric_limits<double>::infinity();

@@ -68,26 +68,29 @@ struct Unwrap_seconds
 /// The account of `unwrap()`. Fields that it did not reach keep their initial values.
 struct Unwrap_summary : Outcome
 {
-  std::int64_t faces = -1;           ///< faces of the mesh
-  Cut_summary cut;                   ///< how the surface was cut open
-  std::vector<Chart_summary> charts; ///< the charts, the largest first; their places are the numbers in `face_chart_map`
-  int splits_of_overlaps = 0;        ///< how often a chart was split because it overlapped itself
-  int splits_of_distortion = 0;      ///< how often a chart was split because of `Unwrap_options::max_distortion`
-  int splits_of_length = 0;          ///< how often a chart was split because of `Unwrap_options::max_length`
-  int splits_of_failures = 0;        ///< how often a chart was split because it could not be flattened
-  double energy = -1;                ///< mean symmetric Dirichlet energy, weighted by areas on the surface
-  std::int64_t flips = -1;           ///< triangles that are not positively oriented, by exact predicates:
-                                     ///< 0 in every valid atlas
-  std::int64_t seam_edges = -1;      ///< edges within the surface whose two triangles give different images to them
-  double seam_length = -1;           ///< their length on the surface
-  double scale = -1;                 ///< length in the atlas over length on the surface: the scale of the packing,
-                                     ///< or 1 without
-  double occupancy = -1;             ///< the part of the unit square that is covered; -1 without packing
-  double cut_seconds = 0;            ///< wall-clock seconds of cutting
-  double flatten_seconds = 0;        ///< of flattening, tests for overlaps and splits
-  double pack_seconds = 0;           ///< of packing
-  double certify_seconds = 0;        ///< of the last test of the whole atlas
-  double seconds = 0;                ///< of everything
+  std::int64_t faces = -1;                            ///< faces of the mesh
+  Cut_summary cut;                                    ///< how the surface was cut open
+  std::vector<Chart_summary> charts;                  ///< the charts, the largest first; their places are the numbers in `face_chart_map`
+  int splits_of_overlaps = 0;                         ///< how often a chart was split because it overlapped itself
+  int splits_of_distortion = 0;                       ///< how often a chart was split because of `Unwrap_options::max_distortion`
+  int splits_of_length = 0;                           ///< how often a chart was split because of `Unwrap_options::max_length`
+  int splits_of_failures = 0;                         ///< how often a chart was split because it could not be flattened
+  double energy = -1;                                 ///< mean symmetric Dirichlet energy, weighted by areas on the surface
+  std::int64_t flips = -1;                            ///< triangles that are not positively oriented, by exact predicates:
+                                                      ///< 0 in every valid atlas
+  std::int64_t faces_without_area = 0;                ///< faces whose corners are on a line, up to rounding, or at less than three places
+  std::vector<std::int64_t> first_faces_without_area; ///< the numbers of the first ten of them
+  std::int64_t parted_edges = 0; ///< edges where faces meet that cannot all be joined: more than two, or of different windings
+  std::int64_t seam_edges = -1;  ///< edges within the surface whose two triangles give different images to them
+  double seam_length = -1;       ///< their length on the surface
+  double scale = -1;             ///< length in the atlas over length on the surface: the scale of the packing,
+                                 ///< or 1 without
+  double occupancy = -1;         ///< the part of the unit square that is covered; -1 without packing
+  double cut_seconds = 0;        ///< wall-clock seconds of cutting
+  double flatten_seconds = 0;    ///< of flattening, tests for overlaps and splits
+  double pack_seconds = 0;       ///< of packing
+  double certify_seconds = 0;    ///< of the last test of the whole atlas
+  double seconds = 0;            ///< of everything
 
   /// Calls `visit(name, value)` for each field.
   template <typename Visitor>
@@ -100,6 +103,9 @@ struct Unwrap_summary : Outcome
     visit("number_of_charts", static_cast<std::int64_t>(charts.size()), if_valid);
     visit("flips", flips);
     visit("energy", energy);
+    visit("faces_without_area", faces_without_area, faces_without_area > 0 ? Field_role::shown : Field_role::detail);
+    visit("first_faces_without_area", first_faces_without_area, Field_role::detail);
+    visit("parted_edges", parted_edges, parted_edges > 0 ? Field_role::shown : Field_role::detail);
     visit("seam_edges", seam_edges);
     visit("seam_length", seam_length);
     visit("scale", scale);

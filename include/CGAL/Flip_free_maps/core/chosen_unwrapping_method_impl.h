@@ -10,16 +10,16 @@
 
 #include <CGAL/Flip_free_maps/core/chosen_method.h>
 #include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
-#include <CGAL/Flip_free_maps/core/unwrap_triangles_by_traits.h>
+#include <CGAL/Flip_free_maps/core/unwrap_polygons_by_traits.h>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
-                                                          Any_map_traits& method, Atlas_result& result, Unwrap_summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_polygons(const Atlas_request& request, const Unwrap_options& options,
+                                                         Any_map_traits& method, Atlas_result& result, Unwrap_summary& summary)
 {
-  unwrap_triangles<Any_map_traits>(request, options, method, result, summary);
+  unwrap_polygons<Any_map_traits>(request, options, method, result, summary);
 }
 
 } // namespace internal

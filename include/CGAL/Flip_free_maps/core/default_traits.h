@@ -9,7 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CORE_DEFAULT_TRAITS_H
 
 #include <CGAL/Flip_free_maps/core/own_traits.h>
-#include <CGAL/Flip_free_maps/core/unwrap_triangles.h>
+#include <CGAL/Flip_free_maps/core/unwrap_polygons.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Planar_request.h>
 
@@ -26,8 +26,8 @@ CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void solve_bijectively(const Planar_request
                                                             Summary& summary);
 CGAL_FLIP_FREE_MAPS_CORE_DECLARATION bool certify_injective(const Planar_request& request, const Flip_free_map_traits<>& method,
                                                             const Positions<2>& written, Summary& summary);
-CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
-                                                           Flip_free_map_traits<>& method, Atlas_result& result, Unwrap_summary& summary);
+CGAL_FLIP_FREE_MAPS_CORE_DECLARATION void unwrap_polygons(const Atlas_request& request, const Unwrap_options& options,
+                                                          Flip_free_map_traits<>& method, Atlas_result& result, Unwrap_summary& summary);
 
 } // namespace internal
 } // namespace Flip_free_maps

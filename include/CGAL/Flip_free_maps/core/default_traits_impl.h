@@ -10,7 +10,7 @@
 
 #include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/core/default_traits.h>
-#include <CGAL/Flip_free_maps/core/unwrap_triangles_by_traits.h>
+#include <CGAL/Flip_free_maps/core/unwrap_polygons_by_traits.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Bijective_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 
@@ -42,10 +42,10 @@ CGAL_FLIP_FREE_MAPS_CORE_DEFINITION bool certify_injective(const Planar_request&
   return certify_injective<Flip_free_map_traits<>>(request, method, written, summary);
 }
 
-CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
-                                                          Flip_free_map_traits<>& method, Atlas_result& result, Unwrap_summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_polygons(const Atlas_request& request, const Unwrap_options& options,
+                                                         Flip_free_map_traits<>& method, Atlas_result& result, Unwrap_summary& summary)
 {
-  unwrap_triangles<Flip_free_map_traits<>>(request, options, method, result, summary);
+  unwrap_polygons<Flip_free_map_traits<>>(request, options, method, result, summary);
 }
 
 } // namespace internal

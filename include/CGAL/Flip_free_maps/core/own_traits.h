@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CORE_OWN_TRAITS_H
 #define CGAL_FLIP_FREE_MAPS_CORE_OWN_TRAITS_H
 
-#include <CGAL/Flip_free_maps/core/unwrap_triangles.h>
+#include <CGAL/Flip_free_maps/core/unwrap_polygons.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Planar_request.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
@@ -27,8 +27,8 @@ void solve_bijectively(const Planar_request& request, Traits& traits, Positions<
 template <typename Traits>
 bool certify_injective(const Planar_request& request, const Traits& traits, const Positions<2>& written, Summary& summary);
 template <typename Traits>
-void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options, Traits& traits, Atlas_result& result,
-                      Unwrap_summary& summary);
+void unwrap_polygons(const Atlas_request& request, const Unwrap_options& options, Traits& traits, Atlas_result& result,
+                     Unwrap_summary& summary);
 
 } // namespace internal
 } // namespace Flip_free_maps

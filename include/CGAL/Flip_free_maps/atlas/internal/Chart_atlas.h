@@ -50,8 +50,8 @@ template <typename Traits>
 class Chart_atlas : public Chart_surface
 {
 public:
-  Chart_atlas(const Traits& traits, const Unwrap_options& options, Unwrap_summary& summary)
-    : Chart_surface(summary), m_traits(traits), m_options(options)
+  Chart_atlas(const Linked_triangles& surface, double begin, const Traits& traits, const Unwrap_options& options, Unwrap_summary& summary)
+    : Chart_surface(surface, begin, summary), m_traits(traits), m_options(options)
   {}
 
   // Cuts, flattens, packs, and tests the atlas in the numbers that points of the given type can hold.
@@ -62,16 +62,16 @@ public:
       m_summary.status = Status::invalid_option;
       return false;
     }
-    m_place.assign(m_triangles.size(), -1);
-    m_is_unassigned.assign(m_triangles.size(), 0);
-    for(const auto& t : m_triangles)
-      m_area += 0.5 * Vector<3>(m_points.col(t[1]) - m_points.col(t[0])).cross(Vector<3>(m_points.col(t[2]) - m_points.col(t[0]))).norm();
-    m_image.assign(m_triangles.size(), Image::Constant(std::numeric_limits<double>::quiet_NaN()));
+    const Positions<3>& points = m_surface.points;
+    for(const auto& t : m_surface.triangles)
+      m_area += 0.5 * Vector<3>(points.col(t[1]) - points.col(t[0])).cross(Vector<3>(points.col(t[2]) - points.col(t[0]))).norm();
+    std::vector<std::int32_t> all(m_surface.triangles.size());
+    std::iota(all.begin(), all.end(), 0);
+    m_faces = number_of_polygons(all);
+    m_image.assign(all.size(), Image::Constant(std::numeric_limits<double>::quiet_NaN()));
     std::vector<std::int32_t> others;
     {
       const Phase_timer timer(m_summary.flatten_seconds);
-      std::vector<std::int32_t> all(m_triangles.size());
-      std::iota(all.begin(), all.end(), 0);
       enqueue_parts(all);
       std::deque<Piece> parts;
       parts.swap(m_queue);
@@ -88,20 +88,15 @@ public:
     }
     {
       const Phase_timer timer(m_summary.cut_seconds);
-      std::vector<char> was_cut;
-      for(const Mesh::Edge_index edge : m_mesh.edges())
-        was_cut.push_back(m_is_cut[edge]);
+      const std::vector<char> was_cut = m_is_cut;
       Cut_options cut = m_options.cut;
       cut.target_energy = first_target();
       cut.cut_disks = cut.cut_disks || std::isfinite(m_options.max_distortion);
-      m_summary.cut = cut_mesh(
-        m_mesh, m_mesh.points(), m_is_cut, [this](Mesh::Edge_index e) { return bool(m_is_feature[e]); }, cut,
-        [this] { return must_stop(); });
-      m_summary.cut.seam_length = std::ldexp(m_summary.cut.seam_length, m_exponent);
+      m_summary.cut = cut_triangles(m_surface, m_is_cut, m_is_feature, cut, [this] { return must_stop(); });
+      m_summary.cut.seam_length = std::ldexp(m_summary.cut.seam_length, m_surface.exponent);
       for(const Flat_chart& chart : m_charts)
         for(const std::int32_t f : chart.faces)
-          for(const Halfedge h : m_corners[f])
-            m_is_cut[m_mesh.edge(h)] = was_cut[m_mesh.edge(h)] != 0;
+          std::copy(was_cut.begin() + 3 * f, was_cut.begin() + 3 * f + 3, m_is_cut.begin() + 3 * f);
     }
     if(!m_summary.cut.is_valid())
       return fail(m_summary.cut.status, "the surface was not cut open: " + m_summary.cut.message);
@@ -130,7 +125,6 @@ public:
     const auto ended = [this](Status status) {
       return std::any_of(m_summary.charts.begin(), m_summary.charts.end(), [=](const Chart_summary& c) { return c.status == status; });
     };
-    m_summary.seconds = wall_seconds() - m_begin;
     m_summary.status = Status::success;
     m_summary.message = "all charts converged; none overlaps another or itself";
     if(m_is_stopped) {
@@ -168,7 +162,7 @@ private:
          !thicken(chart, precision * std::pow(30., attempts[chart]) / packing.scale))
         return fail(packing.status, "the charts were not packed: " + packing.message);
     }
-    m_summary.scale = std::ldexp(packing.scale, -m_exponent);
+    m_summary.scale = std::ldexp(packing.scale, -m_surface.exponent);
     m_summary.occupancy = packing.occupancy;
     return true;
   }
@@ -181,12 +175,13 @@ private:
     const Open_piece open = this->open(piece.faces);
     Open_piece moved = open;
     std::uint32_t noise = 1;
-    for(Eigen::Index v = 0; v < open.points.cols(); ++v) {
+    Positions<3>& points = moved.surface.points;
+    for(Eigen::Index v = 0; v < points.cols(); ++v) {
       for(int i = 0; i < 3; ++i) {
         noise = noise * 1664525u + 1013904223u;
-        moved.points(i, v) += length * (noise / 2147483648. - 1);
+        points(i, v) += length * (noise / 2147483648. - 1);
       }
-      moved.mesh.point(Vertex(static_cast<Mesh::size_type>(v))) = {moved.points(0, v), moved.points(1, v), moved.points(2, v)};
+      moved.mesh.point(Vertex(static_cast<Mesh::size_type>(v))) = {points(0, v), points(1, v), points(2, v)};
     }
     Positions<2> x;
     const Summary summary = flatten_piece(moved, x);
@@ -208,7 +203,7 @@ private:
     m_summary.scale = 1;
     double right = 0;
     for(Flat_chart& chart : m_charts) {
-      chart.x = chart.x.unaryExpr([this](double c) { return std::ldexp(c, m_exponent); }).eval();
+      chart.x = chart.x.unaryExpr([this](double c) { return std::ldexp(c, m_surface.exponent); }).eval();
       const Vector<2> size = extent(chart.x);
       Positions<2> moved = chart.x.colwise() - Vector<2>(chart.x.rowwise().minCoeff());
       moved.row(0).array() += right;
@@ -261,27 +256,31 @@ private:
       return !m_is_stopped;
     Unwrap_progress progress;
     progress.charts_done = static_cast<int>(m_charts.size());
-    progress.charts = progress.charts_done + (m_faces_done < m_summary.faces ? 1 : 0) + static_cast<int>(m_queue.size());
+    progress.charts = progress.charts_done + (m_faces_done < m_faces ? 1 : 0) + static_cast<int>(m_queue.size());
     progress.faces_done = m_faces_done;
-    progress.faces = m_summary.faces;
+    progress.faces = m_faces;
     progress.seconds = wall_seconds() - m_begin;
     m_is_stopped = !m_options.observer(progress);
     return !m_is_stopped;
   }
 
-  Summary flatten_piece(const Open_piece& open, Positions<2>& x)
+  // With 0 as the number of iterations the map is a start that has a convex border.
+  Summary flatten_piece(const Open_piece& open, Positions<2>& x, int max_iterations = -1)
   {
     Summary summary;
     const Halfedge border = longest_border(open);
     Traits traits = m_traits;
     traits.options.max_seconds = (std::min)(traits.options.max_seconds, remaining_seconds());
-    if(traits.options.max_seconds == 0)
+    if(max_iterations >= 0)
+      traits.options.max_iterations = max_iterations;
+    if(traits.options.max_seconds == 0 || max_iterations == 0)
       traits.start.multilevel_size = -1;
+    traits.start.unfold = traits.start.unfold && max_iterations != 0;
     traits.options.observer = [this, given = m_traits.options.observer](const Iteration_report& report) {
       m_is_stopped = m_is_stopped || (given && !given(report));
       return report_progress();
     };
-    std::vector<Point_2> uv(open.points.cols());
+    std::vector<Point_2> uv(open.surface.points.cols());
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
     Planar_solver<Traits> solver{traits};
     summary = parameterize_patch(
@@ -297,10 +296,10 @@ private:
   // The map that the piece has as a part of a larger one.
   bool inherit(const Piece& piece, const Open_piece& open, Positions<2>& x) const
   {
-    x.resize(2, open.points.cols());
+    x.resize(2, open.surface.points.cols());
     for(std::size_t e = 0; e < piece.faces.size(); ++e)
       for(int k = 0; k < 3; ++k)
-        x.col(open.elements[e][k]) = m_image[piece.faces[e]].col(k);
+        x.col(open.surface.triangles[e][k]) = m_image[piece.faces[e]].col(k);
     return x.allFinite();
   }
 
@@ -316,7 +315,7 @@ private:
     if(is_apart(x))
       return true;
     Positions<2> moved = with_moved_border(open, x, -2 * gap);
-    if(!is_flip_free(open.elements, moved) || !is_apart(moved))
+    if(!is_flip_free(open.surface.triangles, moved) || !is_apart(moved))
       return !find_overlap(open, x, overlap);
     x.swap(moved);
     return true;
@@ -332,6 +331,12 @@ private:
     std::int32_t worst = -1; // the triangle that is distorted most
     std::pair<std::int32_t, std::int32_t> overlap;
   };
+
+  // Seams go between polygons only.
+  bool can_be_split(const Piece& piece) const
+  {
+    return m_surface.polygons[piece.faces[0]] != m_surface.polygons[piece.faces.back()] || number_of_polygons(piece.faces) > 1;
+  }
 
   // Flattens the first pieces of the queue, at the same time if there are threads, and keeps them as charts, cuts or splits them
   // one by one, so that results do not depend on threads. False when none of that is possible.
@@ -367,12 +372,12 @@ private:
     flat.open = this->open(piece.faces);
     const Open_piece& open = flat.open;
     Chart_summary& chart = flat.chart;
-    chart.faces = static_cast<std::int64_t>(piece.faces.size());
+    chart.faces = number_of_polygons(piece.faces);
     if(piece.is_part && open.is_mesh && inherit(piece, open, flat.x)) {
       chart.message = "a part of a larger chart";
       flat.is_overlapping = !draw_apart(open, flat.x, flat.overlap);
       flat.worst = measure(piece, open, flat.x, chart);
-      flat.is_mapped = chart.energy <= m_options.max_distortion || flat.is_overlapping;
+      flat.is_mapped = flat.is_overlapping ? can_be_split(piece) : chart.energy <= m_options.max_distortion;
     }
     if(flat.is_mapped) {
       chart.seconds = wall_seconds() - begin;
@@ -395,6 +400,12 @@ private:
     }
     if(flat.is_mapped || flat.is_inherited) {
       flat.is_overlapping = !draw_apart(open, flat.x, flat.overlap);
+      // The start has a convex border.
+      if(flat.is_overlapping && !can_be_split(piece)) {
+        const Summary summary = flatten_piece(open, flat.x, 0);
+        flat.is_mapped = summary.is_valid();
+        flat.is_overlapping = flat.is_mapped && !draw_apart(open, flat.x, flat.overlap);
+      }
       flat.worst = measure(piece, open, flat.x, chart);
     }
     chart.seconds = wall_seconds() - begin;
@@ -421,18 +432,22 @@ private:
       chart.message = "a part of a larger chart; not on its own: " + chart.message;
     }
     if(!flat.is_mapped && !flat.is_inherited) {
-      if(piece.faces.size() == 1)
-        return fail(chart.status, "face number " + std::to_string(piece.faces[0]) + " cannot be flattened: " + chart.message);
+      if(!can_be_split(piece))
+        return fail(chart.status,
+                    "face number " + std::to_string(m_surface.polygons[piece.faces[0]]) + " cannot be flattened: " + chart.message);
       ++m_summary.splits_of_failures;
       return split(piece, open, {0, 0});
     }
     if(flat.is_overlapping) {
+      if(!can_be_split(piece))
+        return fail(Status::result_not_representable,
+                    "face number " + std::to_string(m_surface.polygons[piece.faces[0]]) + " was not laid flat without overlaps");
       ++m_summary.splits_of_overlaps;
       piece.is_part = std::isfinite(m_options.max_distortion) && chart.energy <= m_options.max_distortion;
       return split(piece, open, flat.overlap);
     }
     // Without time for flattening a part is as distorted as the whole.
-    if(chart.energy > m_options.max_distortion && piece.faces.size() > 1 && remaining_seconds() > 0) {
+    if(chart.energy > m_options.max_distortion && can_be_split(piece) && remaining_seconds() > 0) {
       if(piece.recuts < MOST_RECUTS && open.is_mesh && m_options.cut.branches == Cut_options::Branches::extremities) {
         Cut_options cut = m_options.cut;
         cut.cut_disks = true;
@@ -472,7 +487,8 @@ private:
   // Whether a chart alone would leave half of the square empty, since it is longer than the side of a square with the area of all.
   bool is_too_long(const Piece& piece, const Positions<2>& x) const
   {
-    if(!m_options.pack || !std::isfinite(m_options.max_distortion) || piece.faces.size() < 4 || remaining_seconds() == 0)
+    if(!m_options.pack || !std::isfinite(m_options.max_distortion) || piece.faces.size() < 4 || !can_be_split(piece) ||
+       remaining_seconds() == 0)
       return false;
     const Vector<2> direction = direction_of_smallest_box(x);
     Matrix<2> rotation;
@@ -492,8 +508,8 @@ private:
       Matrix<3> points;
       Image& image = m_image[piece.faces[e]];
       for(int k = 0; k < 3; ++k) {
-        points.col(k) = open.points.col(open.elements[e][k]);
-        image.col(k) = x.col(open.elements[e][k]);
+        points.col(k) = open.surface.points.col(open.surface.triangles[e][k]);
+        image.col(k) = x.col(open.surface.triangles[e][k]);
       }
       const double energy = measure.add(points, image);
       if(energy > worst.first)
@@ -509,7 +525,7 @@ private:
   void keep(Piece& piece, const Open_piece& open, Positions<2>& x, const Chart_summary& chart)
   {
     m_faces_done += chart.faces;
-    m_charts.push_back({open.elements, std::move(x), std::move(piece.faces)});
+    m_charts.push_back({open.surface.triangles, std::move(x), std::move(piece.faces)});
     m_summary.charts.push_back(chart);
   }
 
@@ -530,7 +546,7 @@ private:
     Chart_summary chart;
     chart.status = summary.status;
     chart.message = summary.message;
-    chart.faces = static_cast<std::int64_t>(piece.faces.size());
+    chart.faces = number_of_polygons(piece.faces);
     chart.iterations = summary.iterations;
     std::pair<std::int32_t, std::int32_t> overlap;
     const bool overlaps = !draw_apart(open, x, overlap);
@@ -548,19 +564,17 @@ private:
   // Splits between two triangles; the second is far from the first if there is none, and both from each other if they are the same.
   bool split(const Piece& piece, const Open_piece& open, std::pair<std::int32_t, std::int32_t> seeds)
   {
-    const Chart_splitter splitter(open.elements, open.neighbors, open.points);
+    const Chart_splitter splitter(open.surface);
     if(seeds.second < 0)
       seeds.second = splitter.farthest_from(seeds.first);
     if(seeds.first == seeds.second)
       seeds = splitter.far_apart();
     std::vector<Chart_splitter::Edge> edges = splitter.separate(seeds.first, seeds.second);
-    // Triangles whose centres coincide have no distance.
+    // Polygons whose centres coincide have no distance, and those of the same polygon none from anything.
     if(edges.empty())
       edges = splitter.around(seeds.first);
     for(const Chart_splitter::Edge& edge : edges)
-      for(int k = 0; k < 3; ++k)
-        if(open.neighbors[edge.elements[0]][k] == edge.elements[1])
-          mark(m_is_cut, piece.faces[edge.elements[0]], (k + 1) % 3);
+      mark_seam(original_halfedge(piece, edge.halfedge));
     enqueue_parts(piece.faces, piece);
     return true;
   }
@@ -570,50 +584,41 @@ private:
   {
     bool is_any = false;
     for(std::size_t i = 0; i < piece.faces.size() && !is_any; ++i)
-      for(int k = 0; k < 3; ++k) {
-        const std::int32_t f = piece.faces[i], g = neighbor(f, k);
-        is_any = is_any || (g >= 0 && turning_angle(m_triangles[f], m_triangles[g], m_points) >= m_options.crease_angle);
-      }
+      for(std::int32_t h = 3 * piece.faces[i]; h < 3 * piece.faces[i] + 3; ++h)
+        is_any = is_any ||
+                 (neighbor(h) >= 0 && !m_surface.is_diagonal(h) &&
+                  turning_angle(m_surface.triangles[h / 3], m_surface.triangles[neighbor(h)], m_surface.points) >= m_options.crease_angle);
     if(!is_any)
       return;
     const Open_piece open = this->open(piece.faces);
-    for(const Chart_creases::Side& side : Chart_creases(open.elements, open.neighbors, open.points, m_options.crease_angle).cuts())
-      mark(m_is_cut, piece.faces[side.first], (side.second + 1) % 3);
+    for(const std::int32_t h : Chart_creases(open.surface, m_options.crease_angle).cuts())
+      mark_seam(original_halfedge(piece, h));
   }
 
-  // The edge of the surface that an edge of a piece was.
-  Mesh::Edge_index original_edge(const Piece& piece, const Open_piece& open, Mesh::Edge_index edge) const
-  {
-    Halfedge h = open.mesh.halfedge(edge, 0);
-    if(open.mesh.is_border(h))
-      h = open.mesh.opposite(h);
-    const std::size_t e = static_cast<std::size_t>(open.mesh.face(h));
-    const auto& element = open.elements[e];
-    const auto k = std::find(element.begin(), element.end(), static_cast<std::int32_t>(open.mesh.target(h))) - element.begin();
-    return m_mesh.edge(m_corners[piece.faces[e]][k]);
-  }
+  // The halfedge of the surface that one of a piece was.
+  static std::int32_t original_halfedge(const Piece& piece, std::int32_t h) { return 3 * piece.faces[h / 3] + h % 3; }
 
   // Cuts a piece by more seams, and tells whether there are any: the parts of a split surface need not be disks, and the
   // distortion that was expected is not the true one.
   bool cut_again(const Piece& piece, const Open_piece& open, const Cut_options& cut, bool& is_cut_anew)
   {
-    Mesh mesh = open.mesh;
-    Edge_map is_cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:cut", false).first;
-    const Cut_summary summary = cut_mesh(
-      mesh, mesh.points(), is_cut, [&](Mesh::Edge_index e) { return bool(m_is_feature[original_edge(piece, open, e)]); }, cut,
-      [this] { return must_stop(); });
+    const std::int32_t size = static_cast<std::int32_t>(open.surface.opposite.size());
+    std::vector<char> is_cut(size, 0), is_feature(size);
+    for(std::int32_t h = 0; h < size; ++h)
+      is_feature[h] = m_is_feature[original_halfedge(piece, h)];
+    const Cut_summary summary = cut_triangles(open.surface, is_cut, is_feature, cut, [this] { return must_stop(); });
     if(!summary.is_valid())
       return fail(summary.status, "a part of the surface was not cut open: " + summary.message);
     is_cut_anew = false;
-    for(const Mesh::Edge_index e : mesh.edges())
-      if(is_cut[e]) {
-        m_is_cut[original_edge(piece, open, e)] = true;
+    for(std::int32_t h = 0; h < size; ++h)
+      if(is_cut[h]) {
+        mark_seam(original_halfedge(piece, h));
         is_cut_anew = true;
       }
     return true;
   }
 
-  // Sorts by areas in the units of `m_points`, since in the user's they may exceed the range of double precision.
+  // Sorts by areas in the units of `m_surface`, since in the user's they may exceed the range of double precision.
   void sort_charts()
   {
     std::vector<std::size_t> order(m_charts.size());
@@ -630,15 +635,16 @@ private:
     m_summary.charts.swap(summaries);
     for(Chart_summary& chart : m_summary.charts) {
       m_areas.push_back(chart.area);
-      chart.area = std::ldexp(chart.area, 2 * m_exponent);
+      chart.area = std::ldexp(chart.area, 2 * m_surface.exponent);
     }
   }
 
   // Seams are the edges with two images: an edge that was cut alone, at both ends of which the surface is not, has one.
   void count()
   {
-    std::vector<std::int32_t> chart_of(m_triangles.size());
-    std::vector<std::array<std::int32_t, 3>> elements(m_triangles.size());
+    const std::size_t size = m_surface.triangles.size();
+    std::vector<std::int32_t> chart_of(size);
+    std::vector<std::array<std::int32_t, 3>> elements(size);
     double energy = 0, area = 0;
     for(std::size_t c = 0; c < m_charts.size(); ++c) {
       for(std::size_t e = 0; e < m_charts[c].faces.size(); ++e) {
@@ -651,20 +657,21 @@ private:
     m_summary.energy = energy / area;
     m_summary.seam_edges = 0;
     m_summary.seam_length = 0;
-    for(const Mesh::Edge_index edge : m_mesh.edges()) {
-      const Halfedge h = m_mesh.halfedge(edge, 0), g = m_mesh.halfedge(edge, 1);
-      m_is_cut[edge] = false;
-      if(m_mesh.is_border(h) || m_mesh.is_border(g))
+    const auto image = [&](std::int32_t corner) { return elements[corner / 3][corner % 3]; };
+    for(std::int32_t h = 0; h < static_cast<std::int32_t>(3 * size); ++h) {
+      const std::int32_t g = m_surface.opposite[h];
+      if(g < h)
         continue;
-      const std::int32_t e = static_cast<std::int32_t>(m_mesh.face(h)), f = static_cast<std::int32_t>(m_mesh.face(g));
-      const auto image = [&](Halfedge to) { return elements[static_cast<std::int32_t>(m_mesh.face(to))][m_corner_of[to]]; };
-      if(chart_of[e] == chart_of[f] && image(h) == image(m_mesh.prev(g)) && image(g) == image(m_mesh.prev(h)))
+      const std::int32_t h_end = next_in_triangle(h), g_end = next_in_triangle(g);
+      const bool is_one = chart_of[h / 3] == chart_of[g / 3] && image(h) == image(g_end) && image(g) == image(h_end);
+      m_is_cut[h] = m_is_cut[g] = !is_one;
+      if(is_one)
         continue;
-      m_is_cut[edge] = true;
       ++m_summary.seam_edges;
-      m_summary.seam_length += (m_points.col(m_mesh.target(h)) - m_points.col(m_mesh.target(g))).norm();
+      const auto& t = m_surface.triangles[h / 3];
+      m_summary.seam_length += (m_surface.points.col(t[h_end % 3]) - m_surface.points.col(t[h % 3])).norm();
     }
-    m_summary.seam_length = std::ldexp(m_summary.seam_length, m_exponent);
+    m_summary.seam_length = std::ldexp(m_summary.seam_length, m_surface.exponent);
   }
 
   static constexpr int MOST_RECUTS = 3;
@@ -677,9 +684,9 @@ private:
   const Unwrap_options& m_options;
   std::vector<Image> m_image; // of each face in the last map of it
   std::vector<Flat_chart> m_charts;
-  std::vector<double> m_areas; // of the charts on the surface, in the units of m_points
-  double m_area = 0;           // of the surface, likewise
-  std::int64_t m_faces_done = 0;
+  std::vector<double> m_areas;                // of the charts on the surface, in the units of m_surface
+  double m_area = 0;                          // of the surface, likewise
+  std::int64_t m_faces = 0, m_faces_done = 0; // polygons of the user's
   bool m_is_stopped = false;
   bool m_is_cut_short = false;
 };

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_CREASES_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Linked_triangles.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -31,22 +32,17 @@ double turning_angle(const std::array<std::int32_t, 3>& a, const std::array<std:
 class Chart_creases
 {
 public:
-  // A side of a triangle, from corner k to the next one.
-  using Side = std::pair<std::int32_t, int>;
+  Chart_creases(const Linked_triangles& surface, double sharp_angle);
 
-  // `neighbors[e][k]` is the triangle across the side from corner k to corner k + 1, -1 on the border.
-  Chart_creases(const std::vector<std::array<std::int32_t, 3>>& elements, const std::vector<std::array<std::int32_t, 3>>& neighbors,
-                const Positions<3>& points, double sharp_angle);
-
-  // The sides to cut, once each; none when the surface is of another kind, or can be unfolded as it is.
-  std::vector<Side> cuts();
+  // The halfedges of edges to cut, once each; none when the surface is of another kind, or can be unfolded as it is.
+  std::vector<std::int32_t> cuts();
 
 private:
   // Collinear edges between two regions.
   struct Border
   {
     std::array<std::int32_t, 2> regions;
-    std::vector<Side> sides;
+    std::vector<std::int32_t> sides; // halfedges
     double length = 0;
   };
 
@@ -59,25 +55,26 @@ private:
   // Relative.
   static constexpr double COLLINEAR = 1e-4;
 
-  std::int32_t end(Side side, int i) const { return m_elements[side.first][(side.second + i) % 3]; }
-  double length(Side side) const { return (m_points.col(end(side, 1)) - m_points.col(end(side, 0))).norm(); }
+  std::int32_t end(std::int32_t h, int i) const { return m_elements[h / 3][(h + i) % 3]; }
+  double length(std::int32_t h) const { return (m_points.col(end(h, 1)) - m_points.col(end(h, 0))).norm(); }
+  std::int32_t neighbor(std::int32_t h) const { return m_surface.opposite[h] < 0 ? -1 : m_surface.opposite[h] / 3; }
 
   bool is_constructed() const;
 
   void find_regions();
 
   // Adds a side to that of some lines which it is a part of.
-  void add(Side side, std::vector<Border>& lines, const std::array<std::int32_t, 2>& regions) const;
+  void add(std::int32_t side, std::vector<Border>& lines, const std::array<std::int32_t, 2>& regions) const;
 
   // The longest borders come first.
   std::vector<char> find_hinges() const;
 
+  const Linked_triangles& m_surface;
   const std::vector<std::array<std::int32_t, 3>>& m_elements;
-  const std::vector<std::array<std::int32_t, 3>>& m_neighbors;
   const Positions<3>& m_points;
-  std::vector<std::array<char, 3>> m_is_sharp; // by side
-  std::vector<std::int32_t> m_region;          // by triangle
-  std::vector<double> m_outlines;              // by region, the length of its border
+  std::vector<char> m_is_sharp;       // by halfedge
+  std::vector<std::int32_t> m_region; // by triangle
+  std::vector<double> m_outlines;     // by region, the length of its border
   std::vector<Border> m_borders;
 };
 

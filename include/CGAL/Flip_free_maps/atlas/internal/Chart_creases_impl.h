@@ -35,21 +35,17 @@ CGAL_FLIP_FREE_MAPS_INLINE double turning_angle(const std::array<std::int32_t, 3
   return std::atan2(m.cross(n).norm(), m.dot(n));
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE Chart_creases::Chart_creases(const std::vector<std::array<std::int32_t, 3>>& elements,
-                                                        const std::vector<std::array<std::int32_t, 3>>& neighbors,
-                                                        const Positions<3>& points, double sharp_angle)
-  : m_elements(elements), m_neighbors(neighbors), m_points(points)
+CGAL_FLIP_FREE_MAPS_INLINE Chart_creases::Chart_creases(const Linked_triangles& surface, double sharp_angle)
+  : m_surface(surface), m_elements(surface.triangles), m_points(surface.points), m_is_sharp(surface.opposite.size(), 0)
 {
-  m_is_sharp.assign(elements.size(), {{0, 0, 0}});
-  for(std::size_t e = 0; e < elements.size(); ++e)
-    for(int k = 0; k < 3; ++k)
-      if(neighbors[e][k] >= 0)
-        m_is_sharp[e][k] = turning_angle(elements[e], elements[neighbors[e][k]], points) >= sharp_angle;
+  for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_is_sharp.size()); ++h)
+    if(neighbor(h) >= 0 && !surface.is_diagonal(h))
+      m_is_sharp[h] = turning_angle(m_elements[h / 3], m_elements[neighbor(h)], m_points) >= sharp_angle;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_creases::Side> Chart_creases::cuts()
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Chart_creases::cuts()
 {
-  std::vector<Side> result;
+  std::vector<std::int32_t> result;
   if(!is_constructed())
     return result;
   find_regions();
@@ -70,11 +66,12 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_creases::is_constructed() const
       const std::int32_t v = m_elements[e][k], w = m_elements[e][(k + 1) % 3];
       const Vector<3> a = m_points.col(w) - m_points.col(v), b = m_points.col(m_elements[e][(k + 2) % 3]) - m_points.col(v);
       curvatures[v] -= std::atan2(a.cross(b).norm(), a.dot(b));
-      if(m_neighbors[e][k] < 0)
+      const std::int32_t h = static_cast<std::int32_t>(3 * e) + k;
+      if(neighbor(h) < 0)
         is_inner[v] = is_inner[w] = 0;
-      if(m_is_sharp[e][k])
+      if(m_is_sharp[h])
         has_sharp_edge[v] = has_sharp_edge[w] = 1;
-      (m_is_sharp[e][k] ? sharp : smooth) += 1;
+      (m_is_sharp[h] ? sharp : smooth) += 1;
     }
   double at_sharp_edges = 0, elsewhere = 0;
   for(std::size_t v = 0; v < curvatures.size(); ++v)
@@ -96,9 +93,9 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::find_regions()
     while(!front.empty()) {
       const std::int32_t e = front.back();
       front.pop_back();
-      for(int k = 0; k < 3; ++k) {
-        const std::int32_t f = m_neighbors[e][k];
-        if(f >= 0 && !m_is_sharp[e][k] && m_region[f] < 0) {
+      for(std::int32_t h = 3 * e; h < 3 * e + 3; ++h) {
+        const std::int32_t f = neighbor(h);
+        if(f >= 0 && !m_is_sharp[h] && m_region[f] < 0) {
           m_region[f] = number;
           front.push_back(f);
         }
@@ -108,22 +105,21 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::find_regions()
   }
   m_outlines.assign(number, 0.);
   std::map<std::array<std::int32_t, 2>, std::vector<Border>> lines;
-  for(std::size_t e = 0; e < m_elements.size(); ++e)
-    for(int k = 0; k < 3; ++k) {
-      const Side side(static_cast<std::int32_t>(e), k);
-      const std::int32_t f = m_neighbors[e][k], p = m_region[e], q = f < 0 ? -1 : m_region[f];
-      if(p == q)
-        continue;
-      m_outlines[p] += length(side);
-      if(q > p)
-        add(side, lines[{{p, q}}], {{p, q}});
-    }
+  for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_surface.opposite.size()); ++h) {
+    const std::int32_t f = neighbor(h), p = m_region[h / 3], q = f < 0 ? -1 : m_region[f];
+    if(p == q)
+      continue;
+    m_outlines[p] += length(h);
+    if(q > p)
+      add(h, lines[{{p, q}}], {{p, q}});
+  }
   m_borders.clear();
   for(auto& entry : lines)
     m_borders.insert(m_borders.end(), entry.second.begin(), entry.second.end());
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::add(Side side, std::vector<Border>& lines, const std::array<std::int32_t, 2>& regions) const
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::add(std::int32_t side, std::vector<Border>& lines,
+                                                   const std::array<std::int32_t, 2>& regions) const
 {
   const Vector<3> a = m_points.col(end(side, 0)), d = m_points.col(end(side, 1)) - a;
   const auto is_on = [&](const Border& line) {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Linked_triangles.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -24,22 +25,19 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Splits a connected surface of triangles in two or more parts.
+// Splits a connected surface of triangles in two or more parts, of at least two polygons, between these: all triangles of a polygon
+// are at the same distance from anything.
 class Chart_splitter
 {
 public:
-  // An inner edge: the triangles on both sides.
+  // An inner edge that can be cut.
   struct Edge
   {
     std::int32_t vertices[2];
-    std::int32_t elements[2];
+    std::int32_t halfedge; // one of its two
   };
 
-  // `neighbors[e][k]` is the triangle across the edge from corner k to corner k + 1, -1 on the border.
-  Chart_splitter(const std::vector<std::array<std::int32_t, 3>>& elements, const std::vector<std::array<std::int32_t, 3>>& neighbors,
-                 const Positions<3>& points)
-    : m_elements(elements), m_neighbors(neighbors), m_points(points)
-  {}
+  explicit Chart_splitter(const Linked_triangles& surface);
 
   // Two triangles that are far from each other.
   std::pair<std::int32_t, std::int32_t> far_apart() const;
@@ -51,7 +49,7 @@ public:
   // the regions that are nearer to either meet, straightened if that is a single line from border to border.
   std::vector<Edge> separate(std::int32_t a, std::int32_t b) const;
 
-  // The inner edges of a triangle.
+  // The inner edges of the polygon of a triangle.
   std::vector<Edge> around(std::int32_t e) const;
 
 private:
@@ -61,8 +59,6 @@ private:
 
   // The least area of the parts when the surface is cut along some edges.
   double smallest_part(const std::vector<Edge>& edges) const;
-
-  Vector<3> center(std::int32_t e) const;
 
   using Entry = std::pair<double, std::int32_t>;
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
@@ -81,9 +77,17 @@ private:
   // Parts that are cut off by a way along the border are parts, too.
   std::vector<Edge> shortest_way(std::int32_t from, std::int32_t to) const;
 
+  double area(std::size_t e) const;
+
+  // The triangle across a halfedge, -1 on the border.
+  std::int32_t neighbor(std::int32_t h) const { return m_surface.opposite[h] < 0 ? -1 : m_surface.opposite[h] / 3; }
+  bool is_inner_edge(std::int32_t h) const { return m_surface.opposite[h] >= 0 && !m_surface.is_diagonal(h); }
+  Edge edge(std::int32_t h) const { return {{m_elements[h / 3][h % 3], m_elements[h / 3][(h + 1) % 3]}, h}; }
+
+  const Linked_triangles& m_surface;
   const std::vector<std::array<std::int32_t, 3>>& m_elements;
-  const std::vector<std::array<std::int32_t, 3>>& m_neighbors;
   const Positions<3>& m_points;
+  std::vector<Vector<3>> m_centers; // by triangle, those of their polygons
 };
 
 } // namespace internal

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -23,6 +22,39 @@
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
+
+CGAL_FLIP_FREE_MAPS_INLINE Chart_splitter::Chart_splitter(const Linked_triangles& surface)
+  : m_surface(surface), m_elements(surface.triangles), m_points(surface.points), m_centers(surface.triangles.size())
+{
+  std::unordered_map<std::int32_t, std::pair<Vector<3>, double>> sums;
+  const auto center = [this](std::size_t e) {
+    const auto& v = m_elements[e];
+    return Vector<3>((m_points.col(v[0]) + m_points.col(v[1]) + m_points.col(v[2])) / 3);
+  };
+  for(int pass = 0; pass < 2; ++pass)
+    for(std::size_t e = 0; e < m_elements.size(); ++e) {
+      const bool is_whole = !m_surface.is_diagonal(static_cast<std::int32_t>(3 * e)) &&
+                            !m_surface.is_diagonal(static_cast<std::int32_t>(3 * e + 1)) &&
+                            !m_surface.is_diagonal(static_cast<std::int32_t>(3 * e + 2));
+      if(is_whole) {
+        m_centers[e] = center(e);
+        continue;
+      }
+      auto& sum = sums.emplace(m_surface.polygons[e], std::make_pair(Vector<3>(Vector<3>::Zero()), 0.)).first->second;
+      if(pass == 0) {
+        sum.first += area(e) * center(e);
+        sum.second += area(e);
+      } else {
+        m_centers[e] = sum.first / sum.second;
+      }
+    }
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE double Chart_splitter::area(std::size_t e) const
+{
+  const auto& v = m_elements[e];
+  return 0.5 * Vector<3>(m_points.col(v[1]) - m_points.col(v[0])).cross(Vector<3>(m_points.col(v[2]) - m_points.col(v[0]))).norm();
+}
 
 CGAL_FLIP_FREE_MAPS_INLINE std::pair<std::int32_t, std::int32_t> Chart_splitter::far_apart() const
 {
@@ -40,12 +72,11 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_splitter::Edge> Chart_splitter::sep
 {
   const std::vector<double> to_a = distances(a), to_b = distances(b);
   std::vector<Edge> meeting;
-  for(std::size_t e = 0; e < m_elements.size(); ++e)
-    for(int k = 0; k < 3; ++k) {
-      const std::int32_t other = m_neighbors[e][k];
-      if(other >= 0 && (to_a[e] <= to_b[e]) && !(to_a[other] <= to_b[other]))
-        meeting.push_back({{m_elements[e][k], m_elements[e][(k + 1) % 3]}, {static_cast<std::int32_t>(e), other}});
-    }
+  for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_surface.opposite.size()); ++h) {
+    const std::int32_t e = h / 3, other = neighbor(h);
+    if(other >= 0 && (to_a[e] <= to_b[e]) && !(to_a[other] <= to_b[other]))
+      meeting.push_back(edge(h));
+  }
   std::unordered_map<std::int32_t, int> degrees;
   for(const Edge& edge : meeting)
     for(const std::int32_t v : edge.vertices)
@@ -67,17 +98,17 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_splitter::Edge> Chart_splitter::sep
 CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_splitter::Edge> Chart_splitter::around(std::int32_t e) const
 {
   std::vector<Edge> result;
-  for(int k = 0; k < 3; ++k)
-    if(m_neighbors[e][k] >= 0)
-      result.push_back({{m_elements[e][k], m_elements[e][(k + 1) % 3]}, {e, m_neighbors[e][k]}});
+  for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_surface.opposite.size()); ++h)
+    if(m_surface.polygons[h / 3] == m_surface.polygons[e] && is_inner_edge(h))
+      result.push_back(edge(h));
   return result;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE double Chart_splitter::smallest_part(const std::vector<Edge>& edges) const
 {
-  std::set<std::pair<std::int32_t, std::int32_t>> is_cut;
+  std::vector<char> is_cut(m_surface.opposite.size(), 0);
   for(const Edge& edge : edges)
-    is_cut.insert(std::minmax(edge.elements[0], edge.elements[1]));
+    is_cut[edge.halfedge] = is_cut[m_surface.opposite[edge.halfedge]] = 1;
   double smallest = std::numeric_limits<double>::infinity();
   std::vector<char> is_seen(m_elements.size(), 0);
   std::vector<std::int32_t> front;
@@ -90,23 +121,18 @@ CGAL_FLIP_FREE_MAPS_INLINE double Chart_splitter::smallest_part(const std::vecto
     while(!front.empty()) {
       const std::int32_t e = front.back();
       front.pop_back();
-      const auto& v = m_elements[e];
-      area += 0.5 * Vector<3>(m_points.col(v[1]) - m_points.col(v[0])).cross(Vector<3>(m_points.col(v[2]) - m_points.col(v[0]))).norm();
-      for(const std::int32_t f : m_neighbors[e])
-        if(f >= 0 && !is_seen[f] && is_cut.count(std::minmax(e, f)) == 0) {
+      area += this->area(e);
+      for(std::int32_t h = 3 * e; h < 3 * e + 3; ++h) {
+        const std::int32_t f = neighbor(h);
+        if(f >= 0 && !is_seen[f] && !is_cut[h]) {
           is_seen[f] = 1;
           front.push_back(f);
         }
+      }
     }
     smallest = (std::min)(smallest, area);
   }
   return smallest;
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE Vector<3> Chart_splitter::center(std::int32_t e) const
-{
-  const auto& v = m_elements[e];
-  return (m_points.col(v[0]) + m_points.col(v[1]) + m_points.col(v[2])) / 3;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE std::vector<double> Chart_splitter::distances(std::int32_t seed) const
@@ -120,14 +146,16 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<double> Chart_splitter::distances(std::in
     queue.pop();
     if(entry.first > result[entry.second])
       continue;
-    for(const std::int32_t e : m_neighbors[entry.second])
-      if(e >= 0) {
-        const double distance = entry.first + crease_factor(entry.second, e) * (center(e) - center(entry.second)).norm();
-        if(distance < result[e]) {
-          result[e] = distance;
-          queue.emplace(distance, e);
-        }
+    for(std::int32_t h = 3 * entry.second; h < 3 * entry.second + 3; ++h) {
+      const std::int32_t e = neighbor(h);
+      if(e < 0)
+        continue;
+      const double distance = entry.first + crease_factor(entry.second, e) * (m_centers[e] - m_centers[entry.second]).norm();
+      if(distance < result[e]) {
+        result[e] = distance;
+        queue.emplace(distance, e);
       }
+    }
   }
   return result;
 }
@@ -135,14 +163,12 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<double> Chart_splitter::distances(std::in
 CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_splitter::Edge> Chart_splitter::shortest_way(std::int32_t from, std::int32_t to) const
 {
   std::vector<std::vector<std::pair<std::int32_t, Edge>>> ways(m_points.cols());
-  for(std::size_t e = 0; e < m_elements.size(); ++e)
-    for(int k = 0; k < 3; ++k)
-      if(m_neighbors[e][k] > static_cast<std::int32_t>(e)) {
-        const std::int32_t v = m_elements[e][k], w = m_elements[e][(k + 1) % 3];
-        const Edge edge{{v, w}, {static_cast<std::int32_t>(e), m_neighbors[e][k]}};
-        ways[v].emplace_back(w, edge);
-        ways[w].emplace_back(v, edge);
-      }
+  for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_surface.opposite.size()); ++h)
+    if(h < m_surface.opposite[h] && is_inner_edge(h)) {
+      const Edge way = edge(h);
+      ways[way.vertices[0]].emplace_back(way.vertices[1], way);
+      ways[way.vertices[1]].emplace_back(way.vertices[0], way);
+    }
   std::vector<double> lengths(m_points.cols(), std::numeric_limits<double>::infinity());
   std::vector<std::pair<std::int32_t, Edge>> before(m_points.cols());
   Queue queue;
@@ -155,9 +181,8 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_splitter::Edge> Chart_splitter::sho
     if(entry.first > lengths[v])
       continue;
     for(const auto& way : ways[v]) {
-      const Edge& edge = way.second;
-      const double length =
-        entry.first + (m_points.col(way.first) - m_points.col(v)).norm() / crease_factor(edge.elements[0], edge.elements[1]);
+      const std::int32_t h = way.second.halfedge;
+      const double length = entry.first + (m_points.col(way.first) - m_points.col(v)).norm() / crease_factor(h / 3, neighbor(h));
       if(length < lengths[way.first]) {
         lengths[way.first] = length;
         before[way.first] = {v, way.second};

@@ -9,7 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_SURFACE_H
 
 #include <CGAL/Flip_free_maps/atlas/Unwrap_summary.h>
-#include <CGAL/Flip_free_maps/elements/internal/rest_shape.h>
+#include <CGAL/Flip_free_maps/domains/internal/Linked_triangles.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/measure/internal/Border_curves.h>
 
@@ -29,29 +29,25 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// A surface with seams, and its pieces. Works on meshes of its own, the same type for all meshes of users: one of the whole
-// surface, and one of each piece, cut open. Faces and their corners have the numbers of the arrays everywhere.
+// A surface with seams, and its pieces. Each piece is a mesh of its own, cut open, the same type for all meshes of users. Triangles
+// and their halfedges have the numbers of the arrays everywhere.
 class Chart_surface
 {
 public:
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
-  using Face = Mesh::Face_index;
   using Halfedge = Mesh::Halfedge_index;
   using Vertex = Mesh::Vertex_index;
-  using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
-  explicit Chart_surface(Unwrap_summary& summary) : m_summary(summary), m_begin(wall_seconds()) {}
+  // `begin` is the time from which seconds are counted.
+  Chart_surface(const Linked_triangles& surface, double begin, Unwrap_summary& summary);
 
-  // Takes the surface. False, and the summary says why, when it is not one that can be mapped.
-  bool load(const Positions<3>& points, const std::vector<std::array<std::int32_t, 3>>& triangles);
+  // Marks the edge of a halfedge as a seam, or as one that seams are to follow.
+  void mark_seam(std::int32_t h) { mark(m_is_cut, h); }
+  void mark_feature(std::int32_t h) { mark(m_is_feature, h); }
 
-  // Marks the edge to corner k of a face as a seam, or as one that seams are to follow.
-  void mark_seam(std::int32_t face, int k) { mark(m_is_cut, face, k); }
-  void mark_feature(std::int32_t face, int k) { mark(m_is_feature, face, k); }
-
-  // Whether the edge to corner k of a face is within the surface and has two images.
-  bool is_seam(std::int32_t face, int k) const { return m_is_cut[m_mesh.edge(m_corners[face][k])]; }
+  // Whether the edge of a halfedge has two images, or is on a border of the surface.
+  bool is_seam(std::int32_t h) const { return m_surface.opposite[h] < 0 || m_is_cut[h]; }
 
 protected:
   struct Piece
@@ -68,18 +64,18 @@ protected:
   {
     Mesh mesh;
     bool is_mesh = true;
-    std::vector<std::array<std::int32_t, 3>> elements;
-    std::vector<std::array<std::int32_t, 3>> neighbors;
-    Positions<3> points;
+    Linked_triangles surface;
   };
 
   bool fail(Status status, const std::string& message);
 
-  // Whether the mark is new.
-  bool mark(Edge_map& map, std::int32_t face, int k);
+  void mark(std::vector<char>& marks, std::int32_t h);
 
-  // The face across the edge to corner k, -1 at borders and seams.
-  std::int32_t neighbor(std::int32_t face, int k) const;
+  // The triangle across a halfedge, -1 at borders and seams.
+  std::int32_t neighbor(std::int32_t h) const { return is_seam(h) ? -1 : m_surface.opposite[h] / 3; }
+
+  // The number of polygons that some triangles are parts of.
+  std::int64_t number_of_polygons(const std::vector<std::int32_t>& faces) const;
 
   // Queues the parts of some faces that are connected across edges that are not cut; they inherit all but the faces.
   void enqueue_parts(const std::vector<std::int32_t>& faces, const Piece& origin);
@@ -103,16 +99,10 @@ protected:
 
   Unwrap_summary& m_summary;
   double m_begin;
-  int m_exponent = 0; // binary logarithm of the unit of length
-  std::vector<std::array<std::int32_t, 3>> m_triangles;
-  Positions<3> m_points;
-  Mesh m_mesh;
-  Edge_map m_is_cut;
-  Edge_map m_is_feature;
-  std::vector<std::array<Halfedge, 3>> m_corners; // the halfedges to the corners of faces
-  std::vector<int> m_corner_of;                   // the corner that a halfedge leads to
-  std::vector<std::int32_t> m_place;              // of a face in the piece at hand
-  std::vector<char> m_is_unassigned;              // whether a face still looks for its piece
+  const Linked_triangles& m_surface;
+  std::vector<char> m_is_cut, m_is_feature; // by halfedge
+  std::vector<std::int32_t> m_place;        // of a face in the piece at hand
+  std::vector<char> m_is_unassigned;        // whether a face still looks for its piece
   std::deque<Piece> m_queue;
 };
 

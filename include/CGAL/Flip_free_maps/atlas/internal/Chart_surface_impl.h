@@ -25,85 +25,32 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::load(const Positions<3>& points, const std::vector<std::array<std::int32_t, 3>>& triangles)
-{
-  m_summary.faces = static_cast<std::int64_t>(triangles.size());
-  if(triangles.empty())
-    return fail(Status::empty_mesh, "the mesh has no faces");
-  if(!points.allFinite())
-    return fail(Status::non_finite_input, "a coordinate of the mesh is NaN or infinite");
-  // A power of two as the unit of length rounds nothing, and keeps areas within the range of double precision.
-  const double extent = (points.rowwise().maxCoeff() / 2 - points.rowwise().minCoeff() / 2).maxCoeff();
-  if(!(extent > 0) || !std::isfinite(extent))
-    return fail(extent > 0 ? Status::non_finite_input : Status::degenerate_rest_element,
-                extent > 0 ? "the extent of the mesh exceeds the range of double precision" : "all vertices of the mesh coincide");
-  m_exponent = std::ilogb(extent);
-  m_triangles = triangles;
-  m_points = points.unaryExpr([this](double c) { return std::ldexp(c, -m_exponent); });
-  for(std::size_t f = 0; f < triangles.size(); ++f) {
-    const auto& t = triangles[f];
-    Matrix<2> rest_inverse;
-    double area;
-    if(!planar_rest_shape(m_points.col(t[0]), m_points.col(t[1]), m_points.col(t[2]), rest_inverse, area))
-      return fail(Status::degenerate_rest_element, "zero area, or none within double precision, has face number " + std::to_string(f));
-  }
-  std::vector<Vertex> vertices;
-  for(Eigen::Index v = 0; v < m_points.cols(); ++v)
-    vertices.push_back(m_mesh.add_vertex({m_points(0, v), m_points(1, v), m_points(2, v)}));
-  for(std::size_t f = 0; f < triangles.size(); ++f)
-    if(!m_mesh.add_face(vertices[triangles[f][0]], vertices[triangles[f][1]], vertices[triangles[f][2]]).is_valid())
-      return fail(Status::non_manifold,
-                  "more than two faces have an edge, or several sheets a vertex, of face number " + std::to_string(f));
-  m_is_cut = m_mesh.add_property_map<Mesh::Edge_index, bool>("e:cut", false).first;
-  m_is_feature = m_mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-  m_corners.resize(triangles.size());
-  m_corner_of.assign(m_mesh.number_of_halfedges(), -1);
-  for(std::size_t f = 0; f < triangles.size(); ++f) {
-    Halfedge h = m_mesh.halfedge(Face(static_cast<Mesh::size_type>(f)));
-    while(m_mesh.target(h) != vertices[triangles[f][0]])
-      h = m_mesh.next(h);
-    for(int k = 0; k < 3; ++k, h = m_mesh.next(h)) {
-      m_corners[f][k] = h;
-      m_corner_of[h] = k;
-    }
-  }
-  std::vector<std::int32_t> degrees(m_points.cols(), 0);
-  for(const auto& t : triangles)
-    for(const std::int32_t v : t)
-      ++degrees[v];
-  for(std::size_t v = 0; v < degrees.size(); ++v) {
-    std::int32_t passed = 0;
-    if(degrees[v] > 0)
-      for(const Halfedge h : CGAL::halfedges_around_target(m_mesh.halfedge(vertices[v]), m_mesh))
-        passed += m_mesh.is_border(h) ? 0 : 1;
-    if(passed != degrees[v])
-      return fail(Status::non_manifold, "several sheets of the surface meet at a vertex");
-  }
-  return true;
-}
+CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Chart_surface(const Linked_triangles& surface, double begin, Unwrap_summary& summary)
+  : m_summary(summary),
+    m_begin(begin),
+    m_surface(surface),
+    m_is_cut(surface.opposite.size(), 0),
+    m_is_feature(surface.opposite.size(), 0),
+    m_place(surface.triangles.size(), -1),
+    m_is_unassigned(surface.triangles.size(), 0)
+{}
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::fail(Status status, const std::string& message)
 {
   m_summary.status = status;
   m_summary.message = message;
-  m_summary.seconds = wall_seconds() - m_begin;
   return false;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::mark(Edge_map& map, std::int32_t face, int k)
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_surface::mark(std::vector<char>& marks, std::int32_t h)
 {
-  const Halfedge h = m_corners[face][k];
-  if(m_mesh.is_border(m_mesh.opposite(h)) || map[m_mesh.edge(h)])
-    return false;
-  map[m_mesh.edge(h)] = true;
-  return true;
+  if(m_surface.opposite[h] >= 0)
+    marks[h] = marks[m_surface.opposite[h]] = 1;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE std::int32_t Chart_surface::neighbor(std::int32_t face, int k) const
+CGAL_FLIP_FREE_MAPS_INLINE std::int64_t Chart_surface::number_of_polygons(const std::vector<std::int32_t>& faces) const
 {
-  const Halfedge h = m_corners[face][k];
-  const Face other = m_mesh.face(m_mesh.opposite(h));
-  return !other.is_valid() || m_is_cut[m_mesh.edge(h)] ? -1 : static_cast<std::int32_t>(other);
+  return std::count_if(faces.begin(), faces.end(), [this](std::int32_t f) { return m_surface.is_first(f); });
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_surface::enqueue_parts(const std::vector<std::int32_t>& faces, const Piece& origin)
@@ -122,7 +69,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_surface::enqueue_parts(const std::vector<s
     m_is_unassigned[first] = 0;
     for(std::size_t q = 0; q < piece.faces.size(); ++q)
       for(int k = 0; k < 3; ++k) {
-        const std::int32_t other = neighbor(piece.faces[q], k);
+        const std::int32_t other = neighbor(3 * piece.faces[q] + (k + 2) % 3);
         if(other >= 0 && m_is_unassigned[other]) {
           m_is_unassigned[other] = 0;
           piece.faces.push_back(other);
@@ -135,49 +82,33 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_surface::enqueue_parts(const std::vector<s
 CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Open_piece Chart_surface::open(const std::vector<std::int32_t>& faces)
 {
   Open_piece piece;
+  Linked_triangles& open = piece.surface;
   const std::size_t m = faces.size();
   for(std::size_t e = 0; e < m; ++e)
     m_place[faces[e]] = static_cast<std::int32_t>(e);
-  piece.elements.assign(m, {{-1, -1, -1}});
-  piece.neighbors.resize(m);
-  std::vector<std::int32_t> originals;
-  for(std::size_t e = 0; e < m; ++e)
+  open.opposite.resize(3 * m);
+  for(std::size_t e = 0; e < m; ++e) {
+    open.polygons.push_back(m_surface.polygons[faces[e]]);
     for(int k = 0; k < 3; ++k) {
-      // The side from corner k is the edge to the next corner.
-      const std::int32_t other = neighbor(faces[e], (k + 1) % 3);
-      piece.neighbors[e][k] = other < 0 ? -1 : m_place[other];
-      if(piece.elements[e][k] >= 0)
-        continue;
-      // All corners of the fan around the vertex, in one direction and then in the other.
-      const std::int32_t number = static_cast<std::int32_t>(originals.size());
-      originals.push_back(m_triangles[faces[e]][k]);
-      const auto visit = [&](Halfedge h) {
-        std::int32_t& corner = piece.elements[m_place[m_mesh.face(h)]][m_corner_of[h]];
-        const bool is_new = corner < 0;
-        corner = number;
-        return is_new;
-      };
-      const auto is_end = [&](Halfedge h) { return m_mesh.is_border(m_mesh.opposite(h)) || m_is_cut[m_mesh.edge(h)]; };
-      Halfedge h = m_corners[faces[e]][k];
-      bool is_new = visit(h);
-      while(is_new && !is_end(m_mesh.next(h))) {
-        h = m_mesh.opposite(m_mesh.next(h));
-        is_new = visit(h);
-      }
-      h = m_corners[faces[e]][k];
-      while(is_new && !is_end(h)) {
-        h = m_mesh.prev(m_mesh.opposite(h));
-        is_new = visit(h);
-      }
+      const std::int32_t h = 3 * faces[e] + k, g = m_surface.opposite[h];
+      open.opposite[3 * e + k] = is_seam(h) ? -1 : 3 * m_place[g / 3] + g % 3;
     }
-  piece.points.resize(3, originals.size());
-  std::vector<Vertex> vertices;
-  for(std::size_t v = 0; v < originals.size(); ++v) {
-    piece.points.col(v) = m_points.col(originals[v]);
-    vertices.push_back(piece.mesh.add_vertex({piece.points(0, v), piece.points(1, v), piece.points(2, v)}));
   }
-  for(const auto& t : piece.elements)
-    piece.is_mesh = piece.is_mesh && piece.mesh.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]).is_valid();
+  std::vector<std::int32_t> vertices, first_corners;
+  number_fans(
+    open.opposite, [&open](std::int32_t h) { return open.opposite[h] < 0; }, vertices, first_corners);
+  open.triangles.resize(m);
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    open.triangles[i / 3][i % 3] = vertices[i];
+  open.points.resize(3, first_corners.size());
+  std::vector<Vertex> mesh_vertices;
+  for(std::size_t v = 0; v < first_corners.size(); ++v) {
+    const std::int32_t c = first_corners[v];
+    open.points.col(v) = m_surface.points.col(m_surface.triangles[faces[c / 3]][c % 3]);
+    mesh_vertices.push_back(piece.mesh.add_vertex({open.points(0, v), open.points(1, v), open.points(2, v)}));
+  }
+  for(const auto& t : open.triangles)
+    piece.is_mesh = piece.is_mesh && piece.mesh.add_face(mesh_vertices[t[0]], mesh_vertices[t[1]], mesh_vertices[t[2]]).is_valid();
   return piece;
 }
 
@@ -191,7 +122,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Halfedge Chart_surface::longest_border
     double length = 0;
     for(const Halfedge h : CGAL::halfedges_around_face(first, open.mesh)) {
       is_seen[h] = 1;
-      length += (open.points.col(open.mesh.target(h)) - open.points.col(open.mesh.source(h))).norm();
+      length += (open.surface.points.col(open.mesh.target(h)) - open.surface.points.col(open.mesh.source(h))).norm();
     }
     if(length > longest.first)
       longest = {length, first};
@@ -203,17 +134,17 @@ CGAL_FLIP_FREE_MAPS_INLINE double Chart_surface::missing_angles(const Open_piece
 {
   const double infinity = std::numeric_limits<double>::infinity();
   Border_curves border;
-  if(!border.load(open.elements, static_cast<std::int32_t>(open.points.cols())) || border.curves().size() < 2)
+  if(!border.load(open.surface.triangles, static_cast<std::int32_t>(open.surface.points.cols())) || border.curves().size() < 2)
     return infinity;
-  const std::int64_t faces = static_cast<std::int64_t>(open.elements.size());
+  const std::int64_t faces = static_cast<std::int64_t>(open.surface.triangles.size());
   const std::int64_t edges = (3 * faces + static_cast<std::int64_t>(border.edges().size())) / 2;
-  if(open.points.cols() - edges + faces + static_cast<std::int64_t>(border.curves().size()) != 2)
+  if(open.surface.points.cols() - edges + faces + static_cast<std::int64_t>(border.curves().size()) != 2)
     return infinity;
-  std::vector<double> angles(open.points.cols(), 0);
-  for(const auto& v : open.elements)
+  std::vector<double> angles(open.surface.points.cols(), 0);
+  for(const auto& v : open.surface.triangles)
     for(int k = 0; k < 3; ++k) {
-      const Vector<3> a = open.points.col(v[(k + 1) % 3]) - open.points.col(v[k]);
-      const Vector<3> b = open.points.col(v[(k + 2) % 3]) - open.points.col(v[k]);
+      const Vector<3> a = open.surface.points.col(v[(k + 1) % 3]) - open.surface.points.col(v[k]);
+      const Vector<3> b = open.surface.points.col(v[(k + 2) % 3]) - open.surface.points.col(v[k]);
       angles[v[k]] += std::atan2(a.cross(b).norm(), a.dot(b));
     }
   const std::int32_t outer = static_cast<std::int32_t>(open.mesh.target(longest_border(open)));
@@ -238,7 +169,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Positions<2> Chart_surface::with_moved_border(const O
                                                                          double distance) const
 {
   Border_curves border;
-  border.load(open.elements, static_cast<std::int32_t>(x.cols()));
+  border.load(open.surface.triangles, static_cast<std::int32_t>(x.cols()));
   Positions<2> normals = Positions<2>::Zero(2, x.cols());
   for(const Border_edge& edge : border.edges()) {
     const Vector<2> side = (x.col(edge.target) - x.col(edge.source)).normalized(), normal(side[1], -side[0]);
@@ -258,7 +189,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::find_overlap(const Open_piece& op
                                                             std::pair<std::int32_t, std::int32_t>& overlap) const
 {
   Border_curves border;
-  border.load(open.elements, static_cast<std::int32_t>(x.cols()));
+  border.load(open.surface.triangles, static_cast<std::int32_t>(x.cols()));
   std::vector<std::int32_t> rank(border.edges().size(), 0);
   for(const auto& curve : border.curves())
     for(std::size_t i = 0; i < curve.size(); ++i)

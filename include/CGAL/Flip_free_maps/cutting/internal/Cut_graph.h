@@ -31,7 +31,8 @@ using Cut_queue = std::priority_queue<std::pair<double, std::int32_t>, std::vect
 
 // The seams that grow on a surface which is opened along the user's seams. Each border of the opened surface is shrunk to one
 // node, the other copies of vertices are nodes themselves; so every piece is a closed surface, and seams that form a connected
-// graph with a disk as their complement there, and contain the nodes of all borders, cut it to a disk.
+// graph with a disk as their complement there, and contain the nodes of all borders, cut it to a disk. Edges that must not be cut
+// are no edges of the graph: what they join is one face.
 class Cut_graph
 {
 public:
@@ -181,7 +182,7 @@ private:
     std::vector<std::pair<double, std::int32_t>> candidates;
     for(std::int32_t e = 0; e < m_surface.number_of_edges(); ++e) {
       const std::int32_t h = m_surface.edge_halfedge[e];
-      if(is_marked[e] || m_opening.is_border(h) || !has_handles(m_opening.piece_of[h / 3]))
+      if(is_marked[e] || m_opening.is_border(h) || m_surface.is_rigid[e] || !has_handles(m_opening.piece_of[h / 3]))
         continue;
       const auto [a, b] = ends_of(e);
       candidates.emplace_back(-(m_distances[a] + m_distances[b] + m_costs[e]), e);
@@ -194,6 +195,11 @@ private:
         f = parents[f] = parents[parents[f]];
       return f;
     };
+    for(std::int32_t e = 0; e < m_surface.number_of_edges(); ++e)
+      if(m_surface.is_rigid[e]) {
+        const std::int32_t h = m_surface.edge_halfedge[e], f = root(h / 3), g = root(m_surface.opposite[h] / 3);
+        parents[(std::max)(f, g)] = (std::min)(f, g);
+      }
     std::vector<char> is_reached(number_of_nodes(), 0);
     for(const auto& candidate : candidates) {
       const std::int32_t e = candidate.second, h = m_surface.edge_halfedge[e];

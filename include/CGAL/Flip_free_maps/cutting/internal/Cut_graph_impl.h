@@ -176,7 +176,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cut_graph::build_neighbors()
   m_first_neighbors.assign(number_of_nodes() + 1, 0);
   const auto for_each_edge = [this](auto&& f) {
     for(std::int32_t e = 0; e < m_surface.number_of_edges(); ++e)
-      if(!m_opening.is_border(m_surface.edge_halfedge[e])) {
+      if(!m_opening.is_border(m_surface.edge_halfedge[e]) && !m_surface.is_rigid[e]) {
         const auto [a, b] = ends_of(e);
         f(e, a, b);
       }
@@ -416,7 +416,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_across_annu
       if(is_on_border(h))
         break;
       const double d = distance + m_costs[m_surface.edge_of[h]];
-      const std::int32_t neighbor = d < chain.cost ? place_of(h) : place;
+      const std::int32_t neighbor = d < chain.cost && !m_surface.is_rigid[m_surface.edge_of[h]] ? place_of(h) : place;
       if(neighbor != place && (neighbor < 0 || goal.count(neighbor) != 0)) {
         const auto entry = reached.emplace(neighbor, State{d, h, h});
         if(entry.second || d < entry.first->second.distance) {

@@ -47,8 +47,6 @@ public:
   std::int32_t next_border(std::int32_t h) const { return first_corner[copy_of[Cut_surface::next(h)]]; }
 
 private:
-  void number_copies();
-
   void number_loops();
 
   void number_pieces();

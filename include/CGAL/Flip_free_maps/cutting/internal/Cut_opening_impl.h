@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CUTTING_INTERNAL_CUT_OPENING_IMPL_H
 
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_opening.h>
+#include <CGAL/Flip_free_maps/domains/internal/Linked_triangles.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <cstddef>
@@ -24,7 +25,8 @@ CGAL_FLIP_FREE_MAPS_INLINE Cut_opening::Cut_opening(const Cut_surface& surface, 
   m_is_border.resize(surface.opposite.size());
   for(std::size_t h = 0; h < m_is_border.size(); ++h)
     m_is_border[h] = surface.opposite[h] < 0 || is_cut[surface.edge_of[h]];
-  number_copies();
+  number_fans(
+    surface.opposite, [this](std::int32_t h) { return m_is_border[h]; }, copy_of, first_corner);
   number_loops();
   number_pieces();
 }
@@ -33,27 +35,6 @@ CGAL_FLIP_FREE_MAPS_INLINE std::int32_t Cut_opening::next_corner(std::int32_t co
 {
   const std::int32_t h = Cut_surface::prev(corner);
   return m_is_border[h] ? -1 : m_surface.opposite[h];
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE void Cut_opening::number_copies()
-{
-  copy_of.assign(m_is_border.size(), -1);
-  for(std::int32_t start = 0; start < static_cast<std::int32_t>(copy_of.size()); ++start) {
-    if(copy_of[start] >= 0)
-      continue;
-    std::int32_t first = start;
-    while(!m_is_border[first]) {
-      first = Cut_surface::next(m_surface.opposite[first]);
-      if(first == start)
-        break;
-    }
-    std::int32_t corner = first;
-    do {
-      copy_of[corner] = number_of_copies();
-      corner = next_corner(corner);
-    } while(corner >= 0 && corner != first);
-    first_corner.push_back(first);
-  }
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Cut_opening::number_loops()

@@ -9,8 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CUTTING_INTERNAL_CUT_SURFACE_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
-#include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
-#include <CGAL/Flip_free_maps/elements/internal/rest_shape.h>
+#include <CGAL/Flip_free_maps/domains/internal/Linked_triangles.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -21,7 +20,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -45,11 +43,12 @@ struct Cut_surface
   std::vector<double> lengths;             // by edge
   std::vector<double> areas;               // by face
   std::vector<char> is_seam, is_feature;   // by edge
+  std::vector<char> is_rigid;              // by edge, what must not be cut: a diagonal of a polygon; a path of other edges leads around
   Positions<3> points;
   double scale = 1; // of the user's units
 
-  static std::int32_t next(std::int32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static std::int32_t prev(std::int32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static std::int32_t next(std::int32_t h) { return next_in_triangle(h); }
+  static std::int32_t prev(std::int32_t h) { return prev_in_triangle(h); }
   std::int32_t source(std::int32_t h) const { return faces[h / 3][h % 3]; }
   std::int32_t target(std::int32_t h) const { return source(next(h)); }
   std::int32_t number_of_faces() const { return static_cast<std::int32_t>(faces.size()); }
@@ -57,6 +56,13 @@ struct Cut_surface
   std::int32_t number_of_vertices() const { return static_cast<std::int32_t>(points.cols()); }
   bool is_border(std::int32_t edge) const { return opposite[edge_halfedge[edge]] < 0; }
 };
+
+// Brings the points into units of the bounding box, and fills in areas and lengths.
+Status measure_cut_surface(Cut_surface& surface, std::string& message);
+
+// Takes linked triangles. `is_seam` and `is_feature` tell about halfedges, the same on both sides of an edge.
+Status load_cut_surface(const Linked_triangles& triangles, const std::vector<char>& is_seam, const std::vector<char>& is_feature,
+                        Cut_surface& surface, std::string& message);
 
 // Reads a mesh; `edges` are its edges by their numbers in the arrays. `is_seam` and `is_feature` tell about edges of the mesh.
 template <typename TriangleMesh, typename VertexPointMap, typename IsSeam, typename IsFeature>
@@ -137,29 +143,16 @@ Status load_cut_surface(const TriangleMesh& mesh, const VertexPointMap& vertex_p
     const auto& p = get(vertex_points, vertices[v]);
     surface.points.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]);
   }
-  Eigen::Vector3d low;
-  const Status status = normalize_extent(surface.points, low, surface.scale, message);
-  if(status != Status::success)
-    return status;
-  surface.areas.resize(mesh_faces.size());
-  Matrix<2> rest_inverse;
-  for(std::size_t i = 0; i < mesh_faces.size(); ++i) {
-    const auto& v = surface.faces[i];
-    if(!planar_rest_shape(surface.points.col(v[0]), surface.points.col(v[1]), surface.points.col(v[2]), rest_inverse, surface.areas[i])) {
-      message = "zero area, or none within double precision, has face number " + std::to_string(i);
-      return Status::degenerate_rest_element;
-    }
-  }
-  surface.lengths.resize(surface.edge_halfedge.size());
-  for(std::int32_t e = 0; e < surface.number_of_edges(); ++e) {
-    const std::int32_t h = surface.edge_halfedge[e];
-    surface.lengths[e] = (surface.points.col(surface.target(h)) - surface.points.col(surface.source(h))).norm();
-  }
-  return Status::success;
+  surface.is_rigid.assign(surface.edge_halfedge.size(), 0);
+  return measure_cut_surface(surface, message);
 }
 
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/cutting/internal/Cut_surface_impl.h>
+#endif
 
 #endif // CGAL_FLIP_FREE_MAPS_CUTTING_INTERNAL_CUT_SURFACE_H

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/cutting/Cut_summary.h>
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_planner.h>
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_surface.h>
+#include <CGAL/Flip_free_maps/domains/internal/Linked_triangles.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 
@@ -53,6 +54,33 @@ Cut_summary cut_mesh(const TriangleMesh& mesh, const VertexPointMap& vertex_poin
     for(std::size_t e = 0; e < edges.size(); ++e)
       if(is_cut[e])
         put(edge_is_cut, edges[e], true);
+  };
+  catch_out_of_memory(run, summary);
+  return summary;
+}
+
+// The same for linked triangles with marks of halfedges, which are the same on both sides of an edge; diagonals are not cut.
+inline Cut_summary cut_triangles(const Linked_triangles& triangles, std::vector<char>& is_cut, const std::vector<char>& is_feature,
+                                 const Cut_options& options, const std::function<bool()>& must_stop)
+{
+  Cut_summary summary;
+  const auto run = [&] {
+    const Phase_timer timer(summary.seconds);
+    if(!options.is_valid(&summary.message)) {
+      summary.status = Status::invalid_option;
+      return;
+    }
+    Cut_surface surface;
+    summary.status = load_cut_surface(triangles, is_cut, is_feature, surface, summary.message);
+    if(summary.status != Status::success)
+      return;
+    std::vector<char> is_edge_cut;
+    plan_cuts(surface, options, is_edge_cut, summary, must_stop);
+    if(!summary.is_valid())
+      return;
+    for(std::size_t h = 0; h < is_cut.size(); ++h)
+      if(is_edge_cut[surface.edge_of[h]])
+        is_cut[h] = 1;
   };
   catch_out_of_memory(run, summary);
   return summary;

@@ -5,28 +5,28 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_TRIANGLES_IMPL_H
-#define CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_TRIANGLES_IMPL_H
+#ifndef CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_IMPL_H
 
 #include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
-#include <CGAL/Flip_free_maps/core/unwrap_triangles_by_traits.h>
+#include <CGAL/Flip_free_maps/core/unwrap_polygons_by_traits.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_triangles(const Atlas_request& request, const Unwrap_options& options,
-                                                          Default_method& method, Atlas_result& result, Unwrap_summary& summary)
+CGAL_FLIP_FREE_MAPS_CORE_DEFINITION void unwrap_polygons(const Atlas_request& request, const Unwrap_options& options,
+                                                         Default_method& method, Atlas_result& result, Unwrap_summary& summary)
 {
   Flip_free_map_traits<> traits;
   traits.options = method.options;
   traits.start = method.start;
-  unwrap_triangles(request, options, traits, result, summary);
+  unwrap_polygons(request, options, traits, result, summary);
 }
 
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_TRIANGLES_IMPL_H
+#endif // CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_IMPL_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_BY_TRAITS_H
+#define CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_BY_TRAITS_H
+
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_atlas.h>
+#include <CGAL/Flip_free_maps/core/unwrap_polygons.h>
+#include <CGAL/Flip_free_maps/domains/internal/Surface_view.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// Says what was done about faces without area.
+inline void name_faces_without_area(const std::vector<std::int32_t>& faces, Unwrap_summary& summary)
+{
+  constexpr std::size_t MOST_NAMES = 10;
+  summary.faces_without_area = static_cast<std::int64_t>(faces.size());
+  summary.first_faces_without_area.assign(faces.begin(), faces.begin() + (std::min)(faces.size(), MOST_NAMES));
+  if(faces.empty() || !summary.is_valid())
+    return;
+  std::string numbers;
+  for(const std::int64_t f : summary.first_faces_without_area)
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(f);
+  summary.message += "; without area: " + std::to_string(faces.size()) + (faces.size() == 1 ? " face, number " : " faces, numbers ") +
+                     numbers + (faces.size() > MOST_NAMES ? ", ..." : "");
+}
+
+// The same with traits of the caller's. `Point` has the precision of the numbers that receive the atlas.
+template <typename Point, typename Traits>
+void unwrap_polygons_as(const Atlas_request& request, const Unwrap_options& options, const Traits& traits, Atlas_result& result,
+                        Unwrap_summary& summary)
+{
+  const double begin = wall_seconds();
+  const Polygon_soup& soup = request.surface;
+  summary.faces = soup.number_of_polygons();
+  Surface_view view;
+  summary.status = view.load(soup, options.strict, summary.message);
+  if(summary.status != Status::success)
+    return;
+  const Linked_triangles& triangles = view.triangles();
+  Chart_atlas<Traits> atlas(triangles, begin, traits, options, summary);
+  for(const std::int32_t side : request.seams)
+    if(view.halfedge_of_side(side) >= 0)
+      atlas.mark_seam(view.halfedge_of_side(side));
+  for(const std::int32_t side : request.features)
+    if(view.halfedge_of_side(side) >= 0)
+      atlas.mark_feature(view.halfedge_of_side(side));
+  const bool is_done = atlas.template run<Point>();
+  if(is_done) {
+    std::vector<std::int32_t> chart_of(triangles.triangles.size());
+    std::vector<std::array<double, 2>> images(3 * triangles.triangles.size());
+    for(std::size_t c = 0; c < atlas.charts().size(); ++c) {
+      const Flat_chart& chart = atlas.charts()[c];
+      for(std::size_t e = 0; e < chart.faces.size(); ++e) {
+        chart_of[chart.faces[e]] = static_cast<std::int32_t>(c);
+        for(int k = 0; k < 3; ++k)
+          images[3 * chart.faces[e] + k] = {{chart.x(0, chart.elements[e][k]), chart.x(1, chart.elements[e][k])}};
+      }
+    }
+    result.charts.assign(soup.number_of_polygons(), -1);
+    for(std::size_t f = 0; f < chart_of.size(); ++f)
+      result.charts[triangles.polygons[f]] = chart_of[f];
+    result.images.resize(soup.number_of_corners());
+    result.seams.resize(soup.number_of_corners());
+    for(std::int32_t c = 0; c < soup.number_of_corners(); ++c) {
+      // Where there is no triangle, any place is as good as any other.
+      result.images[c] = images[(std::max)(view.triangle_corner(c), 0)];
+      result.seams[c] = view.halfedge_of_side(c) < 0 || atlas.is_seam(view.halfedge_of_side(c));
+    }
+    atlas.finish();
+  }
+  summary.parted_edges = view.number_of_parted_edges();
+  name_faces_without_area(view.polygons_without_area(), summary);
+  summary.seconds = wall_seconds() - begin;
+}
+
+template <typename Traits>
+void unwrap_polygons(const Atlas_request& request, const Unwrap_options& options, Traits& traits, Atlas_result& result,
+                     Unwrap_summary& summary)
+{
+  const auto run = [&] {
+    if(request.is_single_precision)
+      unwrap_polygons_as<std::array<float, 2>>(request, options, traits, result, summary);
+    else
+      unwrap_polygons_as<std::array<double, 2>>(request, options, traits, result, summary);
+  };
+  catch_out_of_memory(run, summary);
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_BY_TRAITS_H
