@@ -182,6 +182,7 @@ private:
   bool fits(double scale, const MustStop& must_stop)
   {
     m_grid.assign(SIZE, Row{});
+    m_work += SIZE / 4; // what that costs, and an end to the search where nothing else does any work
     std::vector<Outline_place> places(m_outlines.size());
     for(const std::size_t c : m_order) {
       if(must_stop())
