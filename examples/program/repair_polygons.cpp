@@ -23,10 +23,10 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 bool is_finite(const Kernel::Point_3& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
 
-std::string repair_polygons(Triangles& triangles)
+std::string repair_polygons(Surface& surface)
 {
-  auto& points = triangles.points;
-  auto& polygons = triangles.polygons;
+  auto& points = surface.points;
+  auto& polygons = surface.polygons;
   const std::size_t points_before = points.size(), polygons_before = polygons.size();
   polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
                                 [&](const std::vector<std::size_t>& polygon) {
@@ -52,6 +52,8 @@ std::string repair_polygons(Triangles& triangles)
   const std::size_t faces_triangulated = mesh.number_of_faces();
   PMP::remove_degenerate_faces(mesh);
   mesh.collect_garbage();
+  surface.text.clear();
+  surface.images.clear();
   points.clear();
   polygons.clear();
   for(const Vertex v : mesh.vertices())

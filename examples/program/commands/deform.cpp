@@ -10,14 +10,14 @@
 #include "../commands.h"
 #include "../splitting.h"
 
+#include "../formats/Polygon_document.h"
 #include "../formats/volume_files.h"
 #include <CGAL/Flip_free_maps/deform.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <iostream>
+#include <array>
 #include <utility>
 
 namespace program {
@@ -55,11 +55,12 @@ public:
   int run() override
   {
     m_is_volume = is_volume(m_arguments.input);
-    const std::string reason = why_not_available(m_arguments.method, m_is_volume ? 3 : 2);
-    if(!reason.empty()) {
-      std::cerr << "flip_free_maps: " << reason << '\n';
-      return 2;
-    }
+    std::string reason = why_not_available(m_arguments.method, m_is_volume ? 3 : 2);
+    if(reason.empty())
+      reason = why_files_collide({{"the input", m_arguments.input}, {"--handles", m_arguments.handles}, {"--start", m_arguments.start}},
+                                 files_of(m_arguments));
+    if(!reason.empty())
+      return refuse(reason);
     return run_reported(m_arguments.method, [this](FFM::Summary& summary) { deform(summary); });
   }
 
@@ -72,6 +73,7 @@ private:
 
   void deform(FFM::Summary& summary)
   {
+    check_folders(files_of(m_arguments));
     if(m_is_volume) {
       FFM::Tetrahedral_mesh mesh;
       std::string message;
@@ -92,6 +94,9 @@ private:
     if(!m_arguments.start.empty() || m_arguments.soft_weight > 0 || m_arguments.tikhonov > 0)
       throw Failure{Status::invalid_option, "--start, --soft-weight and --tikhonov are for solids"};
     Mesh& mesh = triangles.mesh;
+    const std::string extension = small_extension(m_arguments.output);
+    check(m_arguments.output.empty() || extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl",
+          "cannot write " + m_arguments.output + ": planar meshes are written to files .off, .obj, .ply and .stl");
     FFM::Positions<2> points(2, triangles.points.size());
     for(std::size_t i = 0; i < triangles.points.size(); ++i)
       points.col(i) << triangles.points[i].x(), triangles.points[i].y();
@@ -137,11 +142,20 @@ private:
     for(const auto& polygon : triangles.polygons)
       layout.texture_triangles.push_back({numbers[polygon[0]], numbers[polygon[1]], numbers[polygon[2]]});
     write_pictures(m_arguments.pictures, m_arguments.input, layout, distortion, summary);
-    // Binary STL has single precision, in which the certificate is lost.
     if(!m_arguments.output.empty())
-      check(CGAL::IO::write_polygon_soup(m_arguments.output, triangles.points, triangles.polygons,
-                                         CGAL::parameters::stream_precision(17).use_binary_mode(false)),
-            "cannot write " + m_arguments.output);
+      write_text(m_arguments.output, deformed_text(extension, triangles));
+  }
+
+  // Everything else of the input's file is kept if the output has the same format and can hold more than points and faces.
+  static std::string deformed_text(const std::string& extension, const Surface& surface)
+  {
+    const auto document = make_document(extension, surface.text);
+    if(document == nullptr || small_extension(surface.path) != extension)
+      return surface_text(extension, surface);
+    std::vector<std::array<double, 3>> points;
+    for(const Kernel::Point_3& p : surface.points)
+      points.push_back({p.x(), p.y(), p.z()});
+    return document->with_points(points);
   }
 
   Deform_arguments m_arguments;
