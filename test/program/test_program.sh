@@ -595,6 +595,19 @@ if [ -n "$data" ] && [ -e "$data/closed_g0_spot_low.off" ]; then
   done
 fi
 
+# Polygons that two sides of a sheet share, that meet in two edges, that cross themselves; an edge that is flipped.
+printf 'OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n4 3 2 1 0\n4 2 5 4 1\n' > two_sided.off
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 1\n0 1 0\n4 0 1 2 3\n4 3 2 1 0\n3 0 1 3\n' > two_edges.off
+printf 'OFF\n6 2 0\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n3 2 4 5\n' > crossing.off
+printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0.5 1 0\n0.5 0 0\n0.5 -1 0\n3 0 3 1\n3 0 1 2\n3 0 4 3\n' > cap.off
+for file in two_sided two_edges crossing cap; do
+  atlas $file.off --repair
+done
+atlas two_sided.off --repair
+check "both sides are kept" test "$(value measured.json faces)" = 8
+atlas cap.off --repair
+check "what happens to faces without area is told" grep -q '1 faces without area' atlas.json
+
 # ---------------------------------------------------------------------------------------------------------------------
 # Files that come back
 
