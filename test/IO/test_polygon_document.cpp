@@ -187,7 +187,10 @@ BOOST_AUTO_TEST_CASE(OBJ_checkerboard)
              vertices + "mtllib c.mtl\r\nvt 0 0\r\nvt 1 0\r\nvt 0 1\r\nusemtl checkerboard\r\nf 1/1 2/2 3/3\r\n");
   const auto own = program::make_document(".obj", "mtllib a.mtl\r\n" + vertices + "usemtl red\r\nf 1 2 3\r\n");
   BOOST_TEST(own->has_material());
-  BOOST_TEST(own->with_images(images, "c.mtl").find("red") == std::string::npos);
+  const std::string checkered = own->with_images(images, "c.mtl");
+  BOOST_TEST(checkered.find("red") == std::string::npos);
+  BOOST_TEST(checkered.find("mtllib a.mtl") == 0u);
+  BOOST_TEST(program::make_document(".obj", checkered)->with_images(images, "c.mtl") == checkered);
 }
 
 BOOST_AUTO_TEST_CASE(OBJ_points_are_replaced)

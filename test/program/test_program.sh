@@ -872,6 +872,34 @@ check "VTU" grep -q '<VTKFile' bar.vtu
 expect 0 deform bar.mesh --handles index_3.txt --start one_bar.mesh --json start.json --tolerance 1e-5
 check "a given start that is the optimum" test "$(value start.json iterations)" = 0
 expect 17 deform bar.mesh --handles index_3.txt --start no_such_file.mesh
+# References and other sections are kept, and what would be torn off is refused.
+awk '/^End/ { print "Ridges\n1\n1\nEnd # of all"; next } NF == 4 || NF == 5 { $NF = NR } { print }' bar.mesh > labelled.mesh
+expect 0 deform labelled.mesh --handles index_3.txt -o labelled_out.mesh --tolerance 1e-6
+check "labels are kept" test "$(awk 'NF == 4 { print "point", $4; next } { print }' labelled_out.mesh)" = \
+  "$(awk 'NF == 4 { print "point", $4; next } { print }' labelled.mesh)"
+check "and so are places" test "$(vertices_of labelled_out.mesh)" = "$(vertices_of one_bar.mesh)"
+sed 's/^Tetrahedra/Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nTetrahedra/' bar.mesh > mixed.mesh
+expect 17 deform mixed.mesh --handles index_3.txt -o bad.mesh
+check "other elements are named" grep -q 'Hexahedra' err.txt
+expect 17 deform bar.msh --handles index_3.txt
+check "the formats that are read are named" grep -q '\.obj.*\.mesh' err.txt
+
+# A plane is one up to rounding, and may be any coordinate plane, seen from either side.
+awk 'NF == 3 && $1 != 85 { print $1, $2, $3 + (NR % 3) * 1e-15; next } { print }' bar.off > rounded.off
+awk 'NF == 3 && $1 != 85 { print $1, $3, $2; next } { print }' bar.off > front.off
+awk '$1 == 3 && NF == 4 { print 3, $2, $4, $3; next } { print }' front.off > back.off
+awk 'NF == 3 && $1 != 85 { print 7, $1, $2; next } { print }' bar.off > side.off
+for view in 'rounded 1 2' 'front 1 3' 'back 1 3' 'side 2 3'; do
+  set -- $view
+  expect 0 deform $1.off --handles index_2.txt -o $1_out.off --json $1.json --tolerance 1e-6
+  check "$1: flips" test "$(value $1.json flips)" = 0
+  check "$1: handles arrive" test -z "$(vertices_of $1_out.off | awk -v i=$2 -v j=$3 '
+    { x[NR - 1] = $i; y[NR - 1] = $j }
+    END { while((getline line < "index_2.txt") > 0) { split(line, h); if(x[h[1]] != h[2] || y[h[1]] != h[3]) print line } }')"
+done
+check "all sides are bent alike" close "$(value back.json energy)" "$(value front.json energy)" 1e-6
+expect 19 deform sheet.off --handles index_2.txt
+check "the vertex off the plane is named" grep -q 'of vertex number [0-9]* differs by' err.txt
 expect 0 deform bar.mesh --handles index_3.txt --soft-weight 100 -o soft.mesh --json soft.json
 check "soft handles give way" less "$(value soft.json energy)" "$bent"
 

@@ -9,6 +9,7 @@
 
 #include "../splitting.h"
 
+#include "../formats/Medit_text.h"
 #include "../formats/VTU.h"
 #include "../formats/volume_files.h"
 #include "../pictures/Surface_picture.h"
@@ -150,10 +151,15 @@ void write_solid(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh&
   for(std::size_t i = 0; i < result.size(); ++i)
     deformed.points[i] = {result[i].x(), result[i].y(), result[i].z()};
   if(!arguments.output.empty()) {
-    const bool is_vtu = small_extension(arguments.output) == ".vtu";
-    check(is_vtu ? FFM::write_VTU(arguments.output, deformed, {}, {{"symmetric_dirichlet_energy", 1, distortion}}, &message)
-                 : FFM::write_volume(arguments.output, deformed, &message),
-          message);
+    const std::string extension = small_extension(arguments.output);
+    if(extension == ".mesh" && small_extension(arguments.input) == extension) {
+      std::string text;
+      check(FFM::internal::read_whole_file(arguments.input, text, &message), message);
+      write_text(arguments.output, Medit_with_points(text, deformed.points));
+    } else
+      check(extension == ".vtu" ? FFM::write_VTU(arguments.output, deformed, {}, {{"symmetric_dirichlet_energy", 1, distortion}}, &message)
+                                : FFM::write_volume(arguments.output, deformed, &message),
+            message);
   }
   if(!arguments.pictures.png.empty())
     draw(arguments, mesh, deformed, distortion, summary.energy);

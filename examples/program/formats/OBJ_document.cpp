@@ -74,8 +74,8 @@ public:
         append_face(words, line, numbered.numbers[face++], result);
       } else if(words[0] == "l" || words[0] == "surf") // their texture coordinates are gone
         append_face(words, line, {}, result);
-      else if(words[0] == "usemtl" && !material_file.empty())
-        result += "usemtl checkerboard" + m_line_end;
+      else if(!material_file.empty() && (words[0] == "usemtl" || (words[0] == "mtllib" && words.size() == 2 && words[1] == material_file)))
+        return; // the head has one of each
       else
         result += line;
     });
