@@ -43,6 +43,22 @@ std::size_t triangulate(Mesh& mesh)
   return fans;
 }
 
+// Gives the surface the points and faces of a mesh, which are not those of its file any more.
+void replace_polygons(const Mesh& mesh, Surface& surface)
+{
+  surface.text.clear();
+  surface.images.clear();
+  surface.points.clear();
+  surface.polygons.clear();
+  for(const Vertex v : mesh.vertices())
+    surface.points.push_back(mesh.point(v));
+  for(const auto face : mesh.faces()) {
+    surface.polygons.emplace_back();
+    for(const Vertex v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+      surface.polygons.back().push_back(v);
+  }
+}
+
 } // namespace
 
 std::string repair_polygons(Surface& surface)
@@ -77,17 +93,7 @@ std::string repair_polygons(Surface& surface)
   PMP::degenerate_faces(mesh, std::back_inserter(degenerate));
   PMP::remove_degenerate_faces(mesh);
   mesh.collect_garbage();
-  surface.text.clear();
-  surface.images.clear();
-  points.clear();
-  polygons.clear();
-  for(const Vertex v : mesh.vertices())
-    points.push_back(mesh.point(v));
-  for(const auto face : mesh.faces()) {
-    polygons.emplace_back();
-    for(const Vertex v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
-      polygons.back().push_back(v);
-  }
+  replace_polygons(mesh, surface);
   // Diagonals of two polygons may be one edge.
   if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
     PMP::orient_polygon_soup(points, polygons);

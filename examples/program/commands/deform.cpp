@@ -154,19 +154,11 @@ private:
       for(const std::size_t v : polygon)
         is_used[v] = true;
     const Mesh_plane plane = find_plane(triangles, is_used);
-    FFM::Positions<2> points(2, triangles.points.size());
     for(std::size_t i = 0; i < triangles.points.size(); ++i) {
-      points.col(i) << triangles.points[i][plane.first], triangles.points[i][plane.second];
       const Kernel::Point_2 p = plane(triangles.points[i]);
       mesh.point(Vertex(static_cast<Mesh::size_type>(i))) = Kernel::Point_3(p.x(), p.y(), 0);
     }
-    FFM::Handles<2> read;
-    std::string message;
-    check(FFM::read_handles<2>(m_arguments.handles, points, read, &message, is_used), message);
-    std::vector<std::pair<Vertex, Kernel::Point_2>> handles;
-    for(std::size_t i = 0; i < read.vertices.size(); ++i)
-      handles.emplace_back(Vertex(read.vertices[i]),
-                           Kernel::Point_2(plane.is_mirrored ? -read.targets(0, i) : read.targets(0, i), read.targets(1, i)));
+    const std::vector<std::pair<Vertex, Kernel::Point_2>> handles = read_planar_handles(triangles, plane, is_used);
 
     auto result = mesh.add_property_map<Vertex, Kernel::Point_2>("v:deformed").first;
     const auto reporter = std::make_shared<Reporter>(m_arguments.method);
@@ -204,6 +196,23 @@ private:
     write_pictures(m_arguments.pictures, m_arguments.input, layout, distortion, summary);
     if(!m_arguments.output.empty())
       write_text(m_arguments.output, deformed_text(extension, triangles));
+  }
+
+  // Their coordinates in the file are those along the plane.
+  std::vector<std::pair<Vertex, Kernel::Point_2>> read_planar_handles(const Surface& surface, const Mesh_plane& plane,
+                                                                      const std::vector<bool>& is_used) const
+  {
+    FFM::Positions<2> points(2, surface.points.size());
+    for(std::size_t i = 0; i < surface.points.size(); ++i)
+      points.col(i) << surface.points[i][plane.first], surface.points[i][plane.second];
+    FFM::Handles<2> read;
+    std::string message;
+    check(FFM::read_handles<2>(m_arguments.handles, points, read, &message, is_used), message);
+    std::vector<std::pair<Vertex, Kernel::Point_2>> handles;
+    for(std::size_t i = 0; i < read.vertices.size(); ++i)
+      handles.emplace_back(Vertex(read.vertices[i]),
+                           Kernel::Point_2(plane.is_mirrored ? -read.targets(0, i) : read.targets(0, i), read.targets(1, i)));
+    return handles;
   }
 
   // Everything else of the input's file is kept if the output has the same format and can hold more than points and faces.
