@@ -9,9 +9,6 @@
 
 #include "repair_polygons.h"
 
-#include "formats/Polygon_file.h"
-#include <CGAL/Flip_free_maps/IO/OBJ.h>
-
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -27,6 +24,30 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
+// A vertex whose faces are not one fan, or -1: walking from face to face across the vertex's edges does not reach all of them.
+long long pinched_vertex(const std::vector<std::vector<std::size_t>>& polygons)
+{
+  std::map<std::size_t, std::vector<std::pair<std::size_t, std::size_t>>> fans; // the edges opposite to a vertex
+  for(const auto& t : polygons)
+    for(std::size_t k = 0; k < 3; ++k)
+      fans[t[k]].emplace_back(t[(k + 1) % 3], t[(k + 2) % 3]);
+  for(auto& [vertex, edges] : fans) {
+    std::map<std::size_t, std::size_t> next(edges.begin(), edges.end()), previous;
+    for(const auto& edge : edges)
+      previous[edge.second] = edge.first;
+    std::size_t reached = 1;
+    std::size_t v = edges[0].second;
+    for(; reached < edges.size() && next.count(v) > 0 && v != edges[0].first; v = next[v])
+      ++reached;
+    if(v != edges[0].first) // the fan is open
+      for(v = edges[0].first; reached < edges.size() && previous.count(v) > 0; v = previous[v])
+        ++reached;
+    if(reached < edges.size())
+      return static_cast<long long>(vertex);
+  }
+  return -1;
+}
+
 std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygons)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::pair<int, int>> edges; // how many faces use an edge forwards and backwards
@@ -35,78 +56,63 @@ std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygo
       const std::size_t v = polygon[k], w = polygon[(k + 1) % 3];
       ++(v < w ? edges[{v, w}].first : edges[{w, v}].second);
     }
-  bool is_oriented = true;
+  const auto name = [](const std::pair<std::size_t, std::size_t>& edge) {
+    return "the edge between vertices " + std::to_string(edge.first) + " and " + std::to_string(edge.second);
+  };
+  const std::pair<std::size_t, std::size_t>* misoriented = nullptr;
   for(const auto& edge : edges) {
     if(edge.second.first + edge.second.second > 2)
-      return "the edge between vertices " + std::to_string(edge.first.first) + " and " + std::to_string(edge.first.second) +
-             " has more than two faces";
-    is_oriented = is_oriented && edge.second.first <= 1 && edge.second.second <= 1;
+      return name(edge.first) + " has more than two faces";
+    if(misoriented == nullptr && (edge.second.first > 1 || edge.second.second > 1))
+      misoriented = &edge.first;
   }
-  return is_oriented ? "several sheets of the surface meet at a vertex"
-                     : "neighbouring faces are oriented differently: orient them alike first; a Moebius strip cannot be";
+  if(misoriented != nullptr)
+    return "the faces at " + name(*misoriented) + " are oriented differently; a Moebius strip cannot be oriented";
+  return "several sheets of the surface meet at vertex number " + std::to_string(pinched_vertex(polygons));
 }
 
 } // namespace
 
-void read_soup(const std::string& path, std::vector<Kernel::Point_3>& points, std::vector<std::vector<std::size_t>>& polygons)
+void read_surface(const std::string& path, bool with_images, Surface& surface)
 {
   Polygon_file file;
-  const std::string error = read_polygon_file(path, file);
+  const std::string error = read_polygon_file(path, file, with_images, &surface.text);
   check(error.empty(), error);
+  surface.path = path;
   for(const auto& p : file.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  polygons = std::move(file.polygons);
-}
-
-namespace {
-
-void read_polygons(const std::string& path, Triangles& triangles)
-{
-  read_soup(path, triangles.points, triangles.polygons);
-  if(triangles.polygons.empty())
+    surface.points.emplace_back(p[0], p[1], p[2]);
+  surface.polygons = std::move(file.polygons);
+  surface.images = std::move(file.images);
+  if(surface.polygons.empty())
     throw Failure{Status::empty_mesh, "the file holds no faces"};
 }
 
-void make_mesh(Triangles& triangles)
+void make_mesh(const Surface& surface, Mesh& mesh)
 {
-  auto& points = triangles.points;
-  auto& polygons = triangles.polygons;
-  for(std::size_t i = 0; i < polygons.size(); ++i) {
-    const auto& polygon = polygons[i];
+  for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
+    const auto& polygon = surface.polygons[i];
     const std::string face = "face number " + std::to_string(i);
     if(polygon.size() != 3)
-      throw Failure{Status::not_triangular, face + " has " + std::to_string(polygon.size()) + " corners; triangulate the mesh first"};
+      throw Failure{Status::not_triangular, face + " has " + std::to_string(polygon.size()) + " corners, where triangles are wanted"};
     if(polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0])
       throw Failure{Status::non_manifold, face + " names a vertex twice"};
   }
-  for(const auto& p : points)
-    if(!is_finite(p))
-      throw Failure{Status::non_finite_input, "a coordinate of the mesh is NaN or infinite"};
-  if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
-    throw Failure{Status::non_manifold, why_not_manifold(polygons)};
-  PMP::polygon_soup_to_polygon_mesh(points, polygons, triangles.mesh);
+  for(std::size_t v = 0; v < surface.points.size(); ++v)
+    if(!is_finite(surface.points[v]))
+      throw Failure{Status::non_finite_input, "a coordinate of vertex number " + std::to_string(v) + " is NaN or infinite"};
+  if(!PMP::is_polygon_soup_a_polygon_mesh(surface.polygons))
+    throw Failure{Status::non_manifold, why_not_manifold(surface.polygons)};
+  PMP::polygon_soup_to_polygon_mesh(surface.points, surface.polygons, mesh);
 }
-
-} // namespace
 
 void read_triangles(const std::string& path, Triangles& triangles)
 {
-  read_polygons(path, triangles);
-  make_mesh(triangles);
+  read_surface(path, false, triangles);
+  make_mesh(triangles, triangles.mesh);
   auto components = triangles.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
   const std::size_t number = PMP::connected_components(triangles.mesh, components);
   if(number != 1)
     throw Failure{Status::several_components, "the mesh has " + std::to_string(number) + " components"};
-}
-
-void read_surface(const std::string& path, bool repair, Triangles& triangles, std::string& repairs)
-{
-  read_polygons(path, triangles);
-  if(repair)
-    repairs = repair_polygons(triangles);
-  if(triangles.polygons.empty())
-    throw Failure{Status::empty_mesh, "nothing is left after the repair"};
-  make_mesh(triangles);
 }
 
 namespace {
@@ -146,21 +152,21 @@ void read_patch(const std::string& path, Patch& patch)
 
 std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Triangles& triangles)
 {
-  FFM::Textured_mesh given;
-  std::string message;
-  check(FFM::read_textured_OBJ(path, given, &message), message);
-  bool is_same = given.triangles.size() == triangles.polygons.size();
+  Surface given;
+  read_surface(path, true, given);
+  bool is_same = given.polygons == triangles.polygons;
   std::vector<Kernel::Point_2> uv(triangles.points.size(), Kernel::Point_2(0, 0));
-  std::vector<int> texture(triangles.points.size(), -1);
-  for(std::size_t i = 0; is_same && i < given.triangles.size(); ++i)
-    for(int k = 0; k < 3; ++k) {
-      const int v = given.triangles[i][k], t = given.texture_triangles[i][k];
-      is_same = is_same && v == static_cast<int>(triangles.polygons[i][k]) && t >= 0 && (texture[v] < 0 || texture[v] == t);
-      if(is_same) {
-        texture[v] = t;
-        uv[v] = Kernel::Point_2(given.texture[t][0], given.texture[t][1]);
-      }
+  std::vector<char> is_known(triangles.points.size(), 0);
+  for(std::size_t i = 0; is_same && i < given.polygons.size(); ++i) {
+    is_same = !given.images[i].empty();
+    for(std::size_t k = 0; is_same && k < given.polygons[i].size(); ++k) {
+      const std::size_t v = given.polygons[i][k];
+      const Kernel::Point_2 image(given.images[i][k][0], given.images[i][k][1]);
+      is_same = !is_known[v] || uv[v] == image;
+      is_known[v] = 1;
+      uv[v] = image;
     }
+  }
   check(is_same, path + " does not give the faces of the mesh one pair of texture coordinates per vertex");
   return uv;
 }

@@ -10,6 +10,7 @@
 #ifndef FLIP_FREE_MAPS_PROGRAM_FILES_H
 #define FLIP_FREE_MAPS_PROGRAM_FILES_H
 
+#include "formats/Polygon_file.h"
 #include "types.h"
 
 #include <cstddef>
@@ -18,23 +19,28 @@
 
 namespace program {
 
-struct Triangles
+// Polygons of whatever kind, and the text of their file, into which results are written back.
+struct Surface
 {
+  std::string path, text; // no text if the polygons are not those of the file any more
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
-  Mesh mesh; // vertex i is point i
+  Corner_images images; // as many as polygons if they were asked for
 };
 
-// Reads polygons of whatever kind from an OFF, OBJ, PLY or STL file.
-void read_soup(const std::string& path, std::vector<Kernel::Point_3>& points, std::vector<std::vector<std::size_t>>& polygons);
+// Reads an OFF, OBJ, PLY or STL file that has faces.
+void read_surface(const std::string& path, bool with_images, Surface& surface);
 
-// Reads and checks a file, so that every fault has a name of its own before the mesh is built.
+// Checks triangles, so that every fault has a name of its own, and makes a mesh of them whose vertex i is point i.
+void make_mesh(const Surface& surface, Mesh& mesh);
+
+struct Triangles : Surface
+{
+  Mesh mesh;
+};
+
+// Both for a connected surface.
 void read_triangles(const std::string& path, Triangles& triangles);
-
-// The same for any number of components. With `repair`, first removes what makes a mesh unfit: duplicated points and faces, faces
-// without area, sheets that meet at a vertex or an edge, different orientations, polygons of more than three corners;
-// `repairs` says what it did.
-void read_surface(const std::string& path, bool repair, Triangles& triangles, std::string& repairs);
 
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
 
@@ -48,7 +54,7 @@ struct Patch
 
 void read_patch(const std::string& path, Patch& patch);
 
-// The texture coordinates of an OBJ with the same faces, one pair for each vertex.
+// The texture coordinates of a file with the same faces, one pair for each vertex.
 std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Triangles& triangles);
 
 } // namespace program

@@ -9,7 +9,6 @@
 
 #include "pictures/Layout_picture.h"
 
-#include <CGAL/Flip_free_maps/IO/OBJ.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
 #include <algorithm>
@@ -59,44 +58,31 @@ void write_pictures(const Picture_arguments& arguments, const std::string& title
 
 namespace {
 
-FFM::Textured_mesh textured(const Triangles& triangles, const UV_map& uv, bool unit_square)
+// Scales texture coordinates into the unit square.
+void scale_into_unit_square(const Atlas& atlas, Corner_images& images)
 {
-  FFM::Textured_mesh result;
-  for(const auto& p : triangles.points)
-    result.points.push_back({p.x(), p.y(), p.z()});
-  std::vector<int> texture_of_point(triangles.points.size(), -1);
   std::array<double, 2> low{}, high{};
-  for(const auto& polygon : triangles.polygons) {
-    std::array<int, 3> triangle, texture;
-    for(int k = 0; k < 3; ++k) {
-      const std::size_t v = polygon[k];
-      if(texture_of_point[v] < 0) {
-        texture_of_point[v] = static_cast<int>(result.texture.size());
-        const Kernel::Point_2 p = uv[Vertex(static_cast<Mesh::size_type>(v))];
-        const bool first = result.texture.empty();
-        for(int c = 0; c < 2; ++c) {
-          low[c] = first ? p[c] : (std::min)(low[c], p[c]);
-          high[c] = first ? p[c] : (std::max)(high[c], p[c]);
-        }
-        result.texture.push_back({p.x(), p.y()});
+  bool is_first = true;
+  for(const auto& corners : images)
+    for(const Image& image : corners) {
+      for(int c = 0; c < 2; ++c) {
+        low[c] = is_first ? image[c] : (std::min)(low[c], image[c]);
+        high[c] = is_first ? image[c] : (std::max)(high[c], image[c]);
       }
-      triangle[k] = static_cast<int>(v);
-      texture[k] = texture_of_point[v];
+      is_first = false;
     }
-    result.triangles.push_back(triangle);
-    result.texture_triangles.push_back(texture);
-  }
-  if(unit_square) {
-    const double extent = (std::max)(high[0] - low[0], high[1] - low[1]);
-    for(auto& p : result.texture)
-      p = {(p[0] - low[0]) / extent, (p[1] - low[1]) / extent};
-    // Scaling rounds, and what is written must be certified.
-    const auto point = [&](int t) { return Kernel::Point_2(result.texture[t][0], result.texture[t][1]); };
-    for(const auto& t : result.texture_triangles)
-      if(CGAL::orientation(point(t[0]), point(t[1]), point(t[2])) != CGAL::LEFT_TURN)
-        throw Failure{Status::result_not_representable, "triangles flip when the texture coordinates are scaled into the unit square"};
-  }
-  return result;
+  const double extent = (std::max)(high[0] - low[0], high[1] - low[1]);
+  for(auto& corners : images)
+    for(Image& image : corners)
+      image = {(image[0] - low[0]) / extent, (image[1] - low[1]) / extent};
+  // Scaling rounds, and what is written must be certified.
+  const auto point = [&](std::size_t i, int k) {
+    const Image& image = images[atlas.polygons[i]][atlas.corners[i][k]];
+    return Kernel::Point_2(image[0], image[1]);
+  };
+  for(std::size_t i = 0; i < atlas.polygons.size(); ++i)
+    if(image_orientation(atlas.mesh, i) == CGAL::LEFT_TURN && CGAL::orientation(point(i, 0), point(i, 1), point(i, 2)) != CGAL::LEFT_TURN)
+      throw Failure{Status::result_not_representable, "triangles flip when the texture coordinates are scaled into the unit square"};
 }
 
 } // namespace
@@ -104,23 +90,39 @@ FFM::Textured_mesh textured(const Triangles& triangles, const UV_map& uv, bool u
 void add_layout_options(CLI::App& command, Layout_arguments& arguments, const std::string& input, const std::string& output)
 {
   command.add_option("input", arguments.input, input)->required();
-  command.add_option("-o,--output", arguments.output, output);
+  add_surface_output(command, arguments.output, output);
   command.add_flag("--unit-square", arguments.unit_square, "scale the texture coordinates into the unit square");
 }
 
-void write_layout(const Layout_arguments& arguments, Patch& patch, const FFM::Summary& summary)
+std::vector<File_argument> files_of(const Layout_arguments& arguments, const std::string& json, const std::string& trace)
 {
-  Mesh& mesh = patch.triangles.mesh;
+  std::vector<File_argument> files = files_of(arguments.output);
+  files.insert(files.end(), {{"--json", json}, {"--trace", trace}, {"--svg", arguments.pictures.svg}, {"--png", arguments.pictures.png}});
+  return files;
+}
+
+Corner_images corner_images(const Surface& surface, const UV_map& uv)
+{
+  Corner_images images;
+  for(const auto& polygon : surface.polygons) {
+    images.emplace_back();
+    for(const std::size_t v : polygon) {
+      const Kernel::Point_2& p = uv[Vertex(static_cast<Mesh::size_type>(v))];
+      images.back().push_back({p.x(), p.y()});
+    }
+  }
+  return images;
+}
+
+void write_layout(const Layout_arguments& arguments, const Surface& surface, Corner_images images, const FFM::Summary& summary)
+{
+  const Atlas atlas = make_atlas(surface, images);
   std::vector<double> distortion;
-  auto distortion_map = mesh.add_property_map<Mesh::Face_index, double>("f:distortion").first;
-  FFM::face_distortions(mesh, patch.uv, distortion_map);
-  for(const auto face : mesh.faces())
-    distortion.push_back(distortion_map[face]);
-  const FFM::Textured_mesh layout = textured(patch.triangles, patch.uv, arguments.unit_square);
-  write_pictures(arguments.pictures, arguments.input, layout, distortion, summary);
-  std::string message;
-  if(!arguments.output.empty())
-    check(FFM::write_textured_OBJ(arguments.output, layout, &message), message);
+  FFM::measure_distortion(atlas.mesh, &distortion);
+  if(arguments.unit_square)
+    scale_into_unit_square(atlas, images);
+  write_pictures(arguments.pictures, arguments.input, atlas.mesh, distortion, summary);
+  write_surface(arguments.output, surface, images);
 }
 
 } // namespace program

@@ -10,9 +10,9 @@
 #ifndef FLIP_FREE_MAPS_PROGRAM_LAYOUT_H
 #define FLIP_FREE_MAPS_PROGRAM_LAYOUT_H
 
-#include "files.h"
+#include "Atlas.h"
+#include "outputs.h"
 
-#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CLI/CLI.hpp>
@@ -44,7 +44,8 @@ void write_pictures(const Picture_arguments& arguments, const std::string& title
 // The files of sub-commands that map a patch to the plane.
 struct Layout_arguments
 {
-  std::string input, output;
+  std::string input;
+  Surface_output output;
   bool unit_square = false;
   Picture_arguments pictures;
 };
@@ -52,8 +53,14 @@ struct Layout_arguments
 // Those but the pictures' options, which come last.
 void add_layout_options(CLI::App& command, Layout_arguments& arguments, const std::string& input, const std::string& output);
 
-// Writes and draws a map, whatever of it is asked for.
-void write_layout(const Layout_arguments& arguments, Patch& patch, const FFM::Summary& summary);
+// All files that a call writes, the surface first.
+std::vector<File_argument> files_of(const Layout_arguments& arguments, const std::string& json, const std::string& trace);
+
+// Writes and draws the map `images`, whatever of it is asked for; if it has to be scaled, it is certified anew.
+void write_layout(const Layout_arguments& arguments, const Surface& surface, Corner_images images, const FFM::Summary& summary);
+
+// The image of each vertex at all of its corners.
+Corner_images corner_images(const Surface& surface, const UV_map& uv);
 
 } // namespace program
 

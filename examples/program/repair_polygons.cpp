@@ -12,10 +12,13 @@
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace program {
 
@@ -23,10 +26,45 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 bool is_finite(const Kernel::Point_3& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
 
-std::string repair_polygons(Triangles& triangles)
+namespace {
+
+// Returns how many polygons have no triangulation by their shape, as those that cross themselves: they become fans.
+std::size_t triangulate(Mesh& mesh)
 {
-  auto& points = triangles.points;
-  auto& polygons = triangles.polygons;
+  PMP::triangulate_faces(mesh);
+  std::size_t fans = 0;
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  for(const Mesh::Face_index face : faces) {
+    Mesh::Halfedge_index h = mesh.halfedge(face);
+    fans += mesh.next(mesh.next(mesh.next(h))) != h;
+    while(mesh.next(mesh.next(mesh.next(h))) != h)
+      h = CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
+  }
+  return fans;
+}
+
+// Gives the surface the points and faces of a mesh, which are not those of its file any more.
+void replace_polygons(const Mesh& mesh, Surface& surface)
+{
+  surface.text.clear();
+  surface.images.clear();
+  surface.points.clear();
+  surface.polygons.clear();
+  for(const Vertex v : mesh.vertices())
+    surface.points.push_back(mesh.point(v));
+  for(const auto face : mesh.faces()) {
+    surface.polygons.emplace_back();
+    for(const Vertex v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+      surface.polygons.back().push_back(v);
+  }
+}
+
+} // namespace
+
+std::string repair_polygons(Surface& surface)
+{
+  auto& points = surface.points;
+  auto& polygons = surface.polygons;
   const std::size_t points_before = points.size(), polygons_before = polygons.size();
   polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
                                 [&](const std::vector<std::size_t>& polygon) {
@@ -35,7 +73,8 @@ std::string repair_polygons(Triangles& triangles)
                  polygons.end());
   const std::size_t finite_polygons = polygons.size();
   PMP::remove_isolated_points_in_polygon_soup(points, polygons);
-  PMP::repair_polygon_soup(points, polygons);
+  // Two sides of a sheet are no duplicates of each other.
+  PMP::repair_polygon_soup(points, polygons, CGAL::parameters::require_same_orientation(true));
   const std::size_t points_merged = points.size(), polygons_merged = polygons.size();
   std::vector<Kernel::Point_3> first_corners;
   for(const auto& polygon : polygons)
@@ -48,19 +87,16 @@ std::string repair_polygons(Triangles& triangles)
   Mesh mesh;
   if(!polygons.empty())
     PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
-  PMP::triangulate_faces(mesh);
+  const std::size_t fans = triangulate(mesh);
   const std::size_t faces_triangulated = mesh.number_of_faces();
+  std::vector<Mesh::Face_index> degenerate;
+  PMP::degenerate_faces(mesh, std::back_inserter(degenerate));
   PMP::remove_degenerate_faces(mesh);
   mesh.collect_garbage();
-  points.clear();
-  polygons.clear();
-  for(const Vertex v : mesh.vertices())
-    points.push_back(mesh.point(v));
-  for(const auto face : mesh.faces()) {
-    polygons.emplace_back();
-    for(const Vertex v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
-      polygons.back().push_back(v);
-  }
+  replace_polygons(mesh, surface);
+  // Diagonals of two polygons may be one edge.
+  if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
+    PMP::orient_polygon_soup(points, polygons);
   const auto step = [](std::size_t before, std::size_t after, const std::string& what) {
     return before == after ? "" : ", " + what + " (" + std::to_string(before) + " -> " + std::to_string(after) + ")";
   };
@@ -70,7 +106,11 @@ std::string repair_polygons(Triangles& triangles)
                            (reversed == 0 ? "" : ", " + std::to_string(reversed) + " faces were turned over") +
                            step(points_merged, points_split, "points of several sheets were doubled") +
                            step(polygons_merged, faces_triangulated, "polygons were triangulated") +
-                           step(faces_triangulated, polygons.size(), "faces without area were removed");
+                           (fans == 0 ? "" : ", " + std::to_string(fans) + " of them as fans, since they cross themselves") +
+                           (degenerate.empty() ? ""
+                                               : ", " + std::to_string(degenerate.size()) +
+                                                   " faces without area were removed by collapsing or flipping their edges") +
+                           step(faces_triangulated, polygons.size(), "faces");
   return text.empty() ? "nothing had to be repaired" : "repaired: " + text.substr(2);
 }
 

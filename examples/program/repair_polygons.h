@@ -18,8 +18,8 @@ namespace program {
 
 bool is_finite(const Kernel::Point_3& p);
 
-// Leaves a mesh of triangles, or nothing, and says what was done.
-std::string repair_polygons(Triangles& triangles);
+// Leaves a mesh of triangles without text and images, or nothing, and says what was done. Points stay where they are.
+std::string repair_polygons(Surface& surface);
 
 } // namespace program
 

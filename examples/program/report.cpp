@@ -7,13 +7,14 @@
 
 #include "report.h"
 
+#include "outputs.h"
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -35,28 +36,25 @@ void write_json(const std::string& path, const nlohmann::json& json)
 {
   if(path.empty())
     return;
-  std::ofstream out(path);
   // Messages quote names of files, which need not be UTF-8.
-  out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-  check(bool(out.flush()), "cannot write " + path);
+  write_text(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
 }
 
-Reporter::Reporter(const Method_arguments& arguments) : m_quiet(arguments.quiet || !isatty(STDERR_FILENO))
-{
-  if(arguments.trace.empty())
-    return;
-  m_trace.open(arguments.trace);
-  m_trace << "iteration,seconds,energy,gradient_norm,step,flips,factorizations\n";
-  m_trace.precision(17);
-  if(!m_trace)
-    throw Failure{Status::file_error, "cannot write " + arguments.trace};
-}
+Reporter::Reporter(const Method_arguments& arguments)
+  : m_quiet(arguments.quiet || !isatty(STDERR_FILENO)),
+    m_trace_path(arguments.trace),
+    m_trace("iteration,seconds,energy,gradient_norm,step,flips,factorizations\n")
+{}
 
 bool Reporter::operator()(const FFM::Iteration_report& report)
 {
-  if(m_trace.is_open())
-    m_trace << report.iteration << ',' << report.seconds << ',' << report.energy << ',' << report.gradient_norm << ',' << report.step << ','
-            << report.flips << ',' << report.factorizations << '\n';
+  if(!m_trace_path.empty()) {
+    std::ostringstream row;
+    row.precision(17);
+    row << report.iteration << ',' << report.seconds << ',' << report.energy << ',' << report.gradient_norm << ',' << report.step << ','
+        << report.flips << ',' << report.factorizations << '\n';
+    m_trace += row.str();
+  }
   if(!m_quiet)
     std::fprintf(stderr, "\riteration %d  energy %.8f  gradient %.2e  %.1f s   ", report.iteration, report.energy,
                  report.characteristic_gradient_norm, report.seconds);
@@ -67,8 +65,8 @@ void Reporter::finish()
 {
   if(!m_quiet)
     std::fputc('\n', stderr);
-  if(m_trace.is_open() && !m_trace.flush())
-    throw Failure{Status::file_error, "cannot write the trace"};
+  if(!m_trace_path.empty())
+    write_text(m_trace_path, m_trace);
 }
 
 void set_options(const Method_arguments& arguments, const std::shared_ptr<Reporter>& reporter, FFM::Map_options& options)
@@ -99,6 +97,18 @@ void run_guarded(const Method_arguments& arguments, const std::function<void()>&
   }
 }
 
+const Hints& patch_hints()
+{
+  static const std::string unwrap = "the sub-command unwrap ";
+  static const Hints hints{{Status::not_triangular, unwrap + "takes polygons"},
+                           {Status::no_border, unwrap + "cuts it open"},
+                           {Status::several_components, unwrap + "takes any number of them"},
+                           {Status::not_a_disk, unwrap + "cuts its handles open"},
+                           {Status::non_manifold, unwrap + "takes such surfaces, and its option --repair mends them"},
+                           {Status::degenerate_rest_element, unwrap + "takes such surfaces, and its option --repair mends them"}};
+  return hints;
+}
+
 int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json,
            const std::string& text)
 {
@@ -115,7 +125,7 @@ int report(const Method_arguments& arguments, Status status, const std::string& 
   return exit_code(status);
 }
 
-int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body)
+int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body, const Hints& hints)
 {
   FFM::Summary summary;
   run_guarded(
@@ -124,6 +134,10 @@ int run_reported(const Method_arguments& arguments, const std::function<void(FFM
       summary.status = status;
       summary.message = message;
     });
+  const auto hint = hints.find(summary.status);
+  // What the library recommends is a function.
+  if(hint != hints.end())
+    summary.message = summary.message.substr(0, summary.message.find("; cut_to_disk()")) + "; " + hint->second;
   std::ostringstream text;
   text << summary;
   return report(arguments, summary.status, summary.message, summary, text.str());

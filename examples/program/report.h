@@ -16,8 +16,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -39,7 +39,7 @@ public:
 
 private:
   bool m_quiet;
-  std::ofstream m_trace;
+  std::string m_trace_path, m_trace;
 };
 
 // Sets limits, tolerances and an observer that calls `*reporter`.
@@ -49,12 +49,18 @@ void set_options(const Method_arguments& arguments, const std::shared_ptr<Report
 void run_guarded(const Method_arguments& arguments, const std::function<void()>& body,
                  const std::function<void(Status, const std::string&)>& fail);
 
+// What helps against a status, in the program's words. It is added to messages.
+using Hints = std::map<Status, std::string>;
+
+// Those of sub-commands that take a connected patch of triangles only.
+const Hints& patch_hints();
+
 // Writes a report, prints it, and returns the exit code.
 int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json,
            const std::string& text);
 
 // Runs `body` on the asked number of threads, turns failures into a summary, writes it, prints it, and returns the exit code.
-int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body);
+int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body, const Hints& hints = Hints());
 
 } // namespace program
 

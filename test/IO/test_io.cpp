@@ -243,6 +243,7 @@ BOOST_AUTO_TEST_CASE(OBJ_dialects)
                                square_header + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4",
                                square_header + "f -4/-4 -3/-3 -2/-2\nf -4/1 3/-2 -1/4\n",
                                square_header + "vn 0 0 1\nf 1/1/1 2/2/-1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n",
+                               square_header + "f 1/1/ 2/2/ 3/3/\nf 1/1/ 3/3/ 4/4/\n",
                                "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n" + square_header,
                                "\xEF\xBB\xBF" + square_header + "f 1/1 2/2 \\\n 3/3\nf\\\r\n1/1\t3/3 4/4  # f 1 2 3 \\\n",
                                "# C:\\models\\\n" + square_header +
@@ -342,6 +343,40 @@ BOOST_AUTO_TEST_CASE(OBJ_broken_files)
   }
 }
 
+BOOST_AUTO_TEST_CASE(files_appear_at_once)
+{
+  const Directory directory;
+  const std::string path = directory.file("a.txt");
+  std::string message;
+  BOOST_TEST(FFM::internal::write_whole_file(path, "old", &message));
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  fs::create_hard_link(path, directory.file("witness.txt"));
+  BOOST_TEST(FFM::internal::write_whole_file(path, "new", &message));
+  BOOST_TEST(read_file(path) == "new");
+  // The old file was not opened for writing, but its place was taken.
+  BOOST_TEST(read_file(directory.file("witness.txt")) == "old");
+  BOOST_TEST((fs::status(path).permissions() == (fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read)));
+
+  fs::create_symlink("a.txt", directory.file("link.txt"));
+  BOOST_TEST(FFM::internal::write_whole_file(directory.file("link.txt"), "newest", &message));
+  BOOST_TEST(fs::is_symlink(directory.file("link.txt")));
+  BOOST_TEST(read_file(path) == "newest");
+
+  // A file with the name of the temporary one is no obstacle, and is left alone.
+  write_file(directory.file("b.txt.0.tmp"), "mine");
+  BOOST_TEST(FFM::internal::write_whole_file(directory.file("b.txt"), "b", &message));
+  BOOST_TEST(read_file(directory.file("b.txt.0.tmp")) == "mine");
+
+  fs::create_directory(directory.file("folder"));
+  BOOST_TEST(!FFM::internal::write_whole_file(directory.file("folder"), "text", &message));
+  BOOST_TEST(!FFM::internal::write_whole_file(directory.file("missing/a.txt"), "text", &message));
+  BOOST_TEST(contains(message, "cannot open"), message);
+  std::size_t files = 0;
+  for(const auto& entry : fs::directory_iterator(directory.path))
+    files += entry.is_regular_file() && !entry.is_symlink();
+  BOOST_TEST(files == 4u); // a.txt, its witness, b.txt and what had the temporary name
+}
+
 BOOST_AUTO_TEST_CASE(OBJ_garbage)
 {
   std::mt19937_64 generator(7);
@@ -355,11 +390,12 @@ BOOST_AUTO_TEST_CASE(OBJ_garbage)
     else
       for(int k = 0; k < 3; ++k)
         text[generator() % text.size()] = static_cast<char>(generator());
-    FFM::internal::OBJ_reader reader;
-    if(!reader.read(text).empty())
+    FFM::Textured_mesh mesh;
+    std::string message;
+    if(!read_text(text, mesh, message))
       continue;
     // Whatever is accepted is a valid mesh.
-    BOOST_TEST(FFM::internal::textured_mesh_error(reader.mesh(), 1.).empty(), text);
+    BOOST_TEST(FFM::internal::textured_mesh_error(mesh, 1.).empty(), text);
   }
 }
 

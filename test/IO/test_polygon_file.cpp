@@ -204,13 +204,13 @@ BOOST_AUTO_TEST_CASE(OBJ_dialects)
   BOOST_TEST(read(vertices + "f 1 2 3 4\n", "obj", file).empty());
   BOOST_TEST((file.polygons == std::vector<std::vector<std::size_t>>{{0, 1, 2, 3}}));
 
-  BOOST_TEST(is_refused("v 0 0 0\nv 0,2 1 0\n", "obj", "line 2: '0,2' is not a finite number"));
+  BOOST_TEST(is_refused("v 0 0 0\nv 0,2 1 0\n", "obj", "line 2: '0,2' is not a number"));
   BOOST_TEST(is_refused("v 0 0\n", "obj", "line 1"));
   BOOST_TEST(is_refused("v 0 0 nan\n", "obj", "line 1"));
   BOOST_TEST(is_refused(vertices + "f 1 2 x\n", "obj", "line 5"));
   BOOST_TEST(is_refused(vertices + "f 1 2 0\n", "obj", "line 5"));
   BOOST_TEST(is_refused(vertices + "f 1 2 -5\n", "obj", "line 5"));
-  BOOST_TEST(is_refused(vertices + "f 1 2 5\n", "obj", "line 5: the face names the vertex 5"));
+  BOOST_TEST(is_refused(vertices + "f 1 2 5\n", "obj", "line 5: v index 5 is out of range"));
   BOOST_TEST(is_refused("A letter.\n", "obj", "not an OBJ file"));
 }
 
@@ -270,4 +270,33 @@ BOOST_AUTO_TEST_CASE(STL_dialects)
   BOOST_TEST(is_refused("solid\nvertex 0 0 0\n", "stl", "line 2"));
   BOOST_TEST(is_refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\n", "stl", "line 4"));
   BOOST_TEST(is_refused("anything", "msh", "not an OFF, OBJ, PLY or STL file"));
+}
+
+BOOST_AUTO_TEST_CASE(texture_coordinates)
+{
+  using Images = program::Corner_images;
+  const auto images = [](const std::string& content, const std::string& extension) {
+    const std::string path = "polygon_file." + extension;
+    std::ofstream(path, std::ios::binary) << content;
+    program::Polygon_file file;
+    const std::string error = program::read_polygon_file(path, file, true);
+    std::filesystem::remove(path);
+    BOOST_TEST(error.empty(), error);
+    return file.images;
+  };
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 .25\nv 0 1 0\n";
+  // A face of which a corner has none has none; a third number does not matter.
+  BOOST_TEST((images(vertices + "vt 0 .5 0\nvt 1 2\nf 1/1 2/2/ 3/-1\nf 1/1 3 4/2\nf 1//1 2//1 3//1\n", "obj") ==
+              Images{{{0, .5}, {1, 2}, {1, 2}}, {}, {}}));
+  BOOST_TEST((images("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "off") == Images{{}}));
+  const std::string xyz = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
+  BOOST_TEST((images(xyz + faces + "property list uchar float texcoord\nend_header\n0 0 0 1 0 0 0 1 0\n3 0 1 2 6 0 1 2 3 4 5\n3 0 1 2 0\n",
+                     "ply") == Images{{{0, 1}, {2, 3}, {4, 5}}, {}}));
+  BOOST_TEST(
+    (images(xyz + "property float s\nproperty float t\n" + faces + "end_header\n0 0 0 .5 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n3 2 1 0\n",
+            "ply") == Images{{{.5, 0}, {1, 0}, {0, 1}}, {{0, 1}, {1, 0}, {.5, 0}}}));
+
+  // Who does not ask for them does not stumble over them.
+  BOOST_TEST(is_read(vertices + "vt nan 0\nf 1/9 2/9 3/x\nf 1/1/1/1 3 4\n", "obj"));
 }

@@ -186,6 +186,7 @@ BOOST_AUTO_TEST_CASE(broken_medit_files)
     {"MeshVersionFormatted 2\n" + medit_tetrahedron + "Dimension 3\nVertices\n1\n0 0 0 0\nEnd\n", "there are 1 points"},
     {plain.substr(0, plain.find("3 4 0")), "ends too early"},
     {medit_points.substr(0, medit_points.size() - 9), "ends too early"},
+    {medit_points + "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\nEnd\n", "line 9: elements other than tetrahedra are not supported: Hexahedra"},
     {medit_points + medit_points.substr(medit_points.find("Vertices")), "second section"}};
   for(const auto& broken : cases) {
     const std::string message = message_for("a.mesh", broken.first);
@@ -273,8 +274,11 @@ BOOST_AUTO_TEST_CASE(vtu_with_values_and_broken_vtu_files)
     {"", "'VTKFile'"},
     {"solid", "'VTKFile'"},
     {replaced(other, "UnstructuredGrid", "PolyData"), "'PolyData'"},
-    {replaced(other, "format='ascii' type", "format='appended' type"), "'appended'; only 'ascii'"},
-    {replaced(other, "Name='types' format='ascii'", "Name='types' format='binary'"), "'binary'; only 'ascii'"},
+    {replaced(other, "format='ascii' type", "format='appended' offset='7' type"), "offset '7' is not within"},
+    {replaced(other, "Name='types' format='ascii'", "Name='types' format='binary'"), "in the array 'types', the file ends too early"},
+    {replaced(other, "Name='types' format='ascii'", "Name='types' format='strange'"), "'strange' is unknown"},
+    {replaced(replaced(other, "Name='types' format='ascii'", "Name='types' format='binary'"), "<VTKFile", "<VTKFile compressor='z'"),
+     "compressed"},
     {replaced(other, "0 0 0 1 0 0", "0 0 0 nan 0 0"), "'nan'"},
     {replaced(other, "0 0 0 1 0 0", "0 0 1 0 0"), "11 coordinates for 4 points"},
     {replaced(other, "4 7 9", "4 7"), "2 offsets"},
@@ -290,6 +294,90 @@ BOOST_AUTO_TEST_CASE(vtu_with_values_and_broken_vtu_files)
     message = message_for("a.vtu", broken.first);
     BOOST_TEST(contains(message, broken.second), "expected '" << broken.second << "', got '" << message << "'");
   }
+}
+
+namespace {
+
+template <typename Number>
+void append_bytes(std::string& bytes, double value, bool is_big_endian)
+{
+  const Number number = static_cast<Number>(value);
+  std::string word(reinterpret_cast<const char*>(&number), sizeof(Number));
+  if(is_big_endian)
+    std::reverse(word.begin(), word.end());
+  bytes += word;
+}
+
+std::string base64(const std::string& bytes)
+{
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for(std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned bits = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
+    for(std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : digits[bits >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
+// An array with its number of bytes in front.
+template <typename Number>
+std::string with_size(const std::vector<double>& values, bool is_big_endian, bool has_long_counts, std::string& head)
+{
+  std::string bytes;
+  for(const double value : values)
+    append_bytes<Number>(bytes, value, is_big_endian);
+  head.clear();
+  if(has_long_counts)
+    append_bytes<std::uint64_t>(head, static_cast<double>(bytes.size()), is_big_endian);
+  else
+    append_bytes<std::uint32_t>(head, static_cast<double>(bytes.size()), is_big_endian);
+  return bytes;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(binary_vtu_files)
+{
+  const std::vector<double> points{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, connectivity{0, 1, 2, 3}, offsets{4}, types{10};
+  for(const bool is_big_endian : {false, true})
+    for(const bool has_long_counts : {false, true})
+      for(const std::string kind : {"inline", "inline apart", "appended base64", "appended raw"}) {
+        std::string appended, arrays[4], head;
+        const auto array = [&](int i, const std::string& attributes, const std::string& bytes) {
+          arrays[i] = "<DataArray " + attributes + " format='" + (kind[0] == 'i' ? "binary'>" : "appended' offset='");
+          if(kind == "inline")
+            arrays[i] += "\n  " + base64(head + bytes) + "\n";
+          else if(kind == "inline apart")
+            arrays[i] += base64(head) + base64(bytes);
+          else {
+            arrays[i] += std::to_string(appended.size()) + "'>";
+            appended += kind == "appended raw" ? head + bytes : base64(head + bytes);
+          }
+          arrays[i] += "</DataArray>";
+        };
+        array(0, "type='Float32' NumberOfComponents='3'", with_size<float>(points, is_big_endian, has_long_counts, head));
+        array(1, "type='Int64' Name='connectivity'", with_size<std::int64_t>(connectivity, is_big_endian, has_long_counts, head));
+        array(2, "type='Int32' Name='offsets'", with_size<std::int32_t>(offsets, is_big_endian, has_long_counts, head));
+        array(3, "type='UInt8' Name='types'", with_size<std::uint8_t>(types, is_big_endian, has_long_counts, head));
+        std::string text = std::string("<VTKFile type='UnstructuredGrid' byte_order='") + (is_big_endian ? "Big" : "Little") +
+                           "Endian' header_type='" + (has_long_counts ? "UInt64" : "UInt32") +
+                           "'><UnstructuredGrid><Piece NumberOfPoints='4' NumberOfCells='1'><Points>" + arrays[0] + "</Points><Cells>" +
+                           arrays[1] + arrays[2] + arrays[3] + "</Cells></Piece></UnstructuredGrid>";
+        if(!appended.empty())
+          text +=
+            std::string("<AppendedData encoding='") + (kind == "appended raw" ? "raw" : "base64") + "'>_" + appended + "</AppendedData>";
+        text += "</VTKFile>";
+        FFM::Tetrahedral_mesh mesh;
+        BOOST_TEST_CONTEXT(kind << (is_big_endian ? ", big endian" : "") << (has_long_counts ? ", long counts" : ""))
+        {
+          BOOST_TEST(message_for("a.vtu", text, &mesh) == "");
+          BOOST_TEST((mesh.points == std::vector<std::array<double, 3>>{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}));
+          BOOST_TEST((mesh.tetrahedra == std::vector<std::array<int, 4>>{{{0, 1, 2, 3}}}));
+        }
+      }
 }
 
 // Files of the collection carry the boundary of their tetrahedra; the package finds the same.

@@ -277,12 +277,22 @@ BOOST_AUTO_TEST_CASE(packing)
   BOOST_TEST(FFM::status_name(same.unwrap(pixels).status) == FFM::status_name(Status::invalid_option));
   // The same charts closer together; without packing, in the units of the surface; packed afterwards.
   FFM::Packing_options closer;
+  FFM::Textured_mesh textured = FFM::textured_atlas(surface.mesh, surface.uv);
   const FFM::Packing_summary packed = FFM::pack_charts(surface.mesh, surface.uv, closer);
   BOOST_TEST_REQUIRE(packed.is_valid(), packed.message);
   BOOST_TEST(packed.charts == static_cast<int>(wide.charts.size()));
   BOOST_TEST(packed.scale > 1);
   BOOST_TEST(std::abs(packed.occupancy - wide.occupancy * packed.scale * packed.scale) <= 1e-9);
   BOOST_TEST(!has_overlap(surface.mesh, surface.uv));
+  // Flat arrays give the same atlas, with texture coordinates that corners of the same point and image share.
+  FFM::Textured_mesh wrong = textured;
+  wrong.texture_triangles.back()[2] = static_cast<int>(wrong.texture.size());
+  BOOST_TEST(FFM::status_name(FFM::pack_charts(wrong, closer).status) == FFM::status_name(Status::invalid_option));
+  BOOST_TEST((wrong.texture == textured.texture));
+  BOOST_TEST_REQUIRE(FFM::pack_charts(textured, closer).is_valid());
+  const FFM::Textured_mesh expected = FFM::textured_atlas(surface.mesh, surface.uv);
+  BOOST_TEST((textured.texture == expected.texture));
+  BOOST_TEST((textured.texture_triangles == expected.texture_triangles));
   options.pack = false;
   const FFM::Unwrap_summary loose = surface.unwrap(options);
   BOOST_TEST_REQUIRE(loose.is_valid());

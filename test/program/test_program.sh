@@ -567,10 +567,10 @@ expect 16 unwrap sheet.off --margin 0
 expect 16 unwrap sheet.off --max-distortion 1
 expect 17 unwrap sheet.off -o missing/atlas.obj
 
-# What is refused is repaired on request.
+# What is no manifold mesh of triangles is refused on request, and repaired on request.
 while read -r code file; do
   rm -f atlas.obj
-  expect "$code" unwrap $file -o atlas.obj
+  expect "$code" unwrap $file --strict -o atlas.obj
   check "$file gives no atlas" test ! -e atlas.obj
   atlas $file --repair
   check "$file: repairs are reported" grep -q '"repairs": "repaired' atlas.json
@@ -585,6 +585,8 @@ atlas zero_area.off --repair
 # A face without area needs no repair.
 expect 0 unwrap zero_area.off -o atlas.obj --json atlas.json
 check "faces without area are counted" less 0 "$(total atlas.json faces_without_area)"
+expect 2 unwrap sheet.off --strict --repair
+atlas sheet.off --strict
 atlas sheet.off --repair
 check "nothing to repair" grep -q '"repairs": "nothing' atlas.json
 expect 3 unwrap nan.ply --repair
@@ -595,6 +597,198 @@ if [ -n "$data" ] && [ -e "$data/closed_g0_spot_low.off" ]; then
     atlas "$data/$file.off"
   done
 fi
+
+# Polygons that two sides of a sheet share, that meet in two edges, that cross themselves; an edge that is flipped.
+printf 'OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n4 3 2 1 0\n4 2 5 4 1\n' > two_sided.off
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 1\n0 1 0\n4 0 1 2 3\n4 3 2 1 0\n3 0 1 3\n' > two_edges.off
+printf 'OFF\n6 2 0\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n3 2 4 5\n' > crossing.off
+printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0.5 1 0\n0.5 0 0\n0.5 -1 0\n3 0 3 1\n3 0 1 2\n3 0 4 3\n' > cap.off
+for file in two_sided two_edges crossing cap; do
+  atlas $file.off --repair
+done
+atlas two_sided.off --repair
+check "both sides are kept" test "$(value measured.json faces)" = 8
+atlas cap.off --repair
+check "what happens to faces without area is told" grep -q '1 faces without area' atlas.json
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Files that come back
+
+# untextured FILE: its lines but those of texture coordinates, and without texture indices.
+untextured()
+{
+  sed -E '/^vt /d; /^f /s#([0-9]+)/[0-9]*(/([0-9]+))?#\1/\3#g; s#/([[:space:]]|$)#\1#g' "$1"
+}
+
+# A roof of two quads, with all that modelling programs write.
+printf '%s\r\n' '# by hand' 'mtllib roof.mtl' 'o roof' 'v 0 0 0 1 0 0' 'v 1 0 0 1 0 0' 'v 1 1 0.5 0 1 0' 'v 0 1 0.5 0 1 0' 'v 0 2 0 0 0 1' \
+  'v 1 2 0 0 0 1' 'vn 0 -1 2' 'vn 0 1 2' 'vt 7 7' 'g south' 'usemtl red' 's 1' 'f 1/1/1 2/1/1 3/1/1 4/1/1' 'g north' 'usemtl blue' \
+  'f 4//2 3//2 6//2 5//2' 'l 1 2' > roof.obj
+echo 'newmtl red' > roof.mtl
+for command in unwrap 'unwrap --checker'; do
+  expect 0 $command roof.obj -o roof_out.obj
+  expect 0 measure roof_out.obj --json measured.json
+  check "$command: polygons are measured as such" test "$(value measured.json faces)" = 2
+done
+check "the checkerboard is used when it is asked for" grep -q 'usemtl checkerboard' roof_out.obj
+rm -f roof_out*
+expect 0 unwrap roof.obj -o roof_out.obj
+untextured roof.obj > before.txt
+untextured roof_out.obj > after.txt
+check "lines are kept" cmp -s before.txt after.txt
+check "the old texture coordinates are gone" test "$(grep -c '^vt 7 7' roof_out.obj)" = 0
+check "new ones are there" test "$(grep -c '^vt ' roof_out.obj)" -ge 6
+check "materials of the file stay" test ! -e roof_out_checker.mtl
+check "other files are left alone" test "$(cat roof.mtl)" = 'newmtl red'
+cp roof.obj same.obj
+expect 0 unwrap same.obj -o same.obj
+check "the output may be the input" cmp -s same.obj roof_out.obj
+expect 0 unwrap same.obj -o same.obj
+check "once more changes nothing" cmp -s same.obj roof_out.obj
+expect 0 parameterize sheet.obj -o sheet_out.obj
+grep -v '^mtllib\|^usemtl' sheet_out.obj > plain.obj
+untextured plain.obj > after.txt
+check "parameterize keeps lines" cmp -s sheet.obj after.txt
+check "a file without materials gets a checkerboard" grep -q 'newmtl checkerboard' sheet_out_checker.mtl
+check "which has a picture" test -s sheet_out_checker.png
+
+# PLY stays PLY; all formats become OBJ or PLY; other extensions are refused before anything is done.
+expect 0 unwrap sheet.ply -o sheet_out.ply
+check "PLY gains texture coordinates" grep -q '^property list uchar double texcoord' sheet_out.ply
+check "PLY keeps the rest" awk '
+  NR == FNR { line[NR] = $0; next }
+  /texcoord$/ { shift = 1; next }
+  index($0, line[FNR - shift]) != 1 { wrong = 1 }
+  END { exit wrong || !shift }' sheet.ply sheet_out.ply
+expect 0 measure sheet_out.ply
+for format in off stl obj; do
+  expect 0 unwrap sheet.$format -o from_$format.ply
+  expect 0 measure from_$format.ply
+done
+expect 0 unwrap sheet.ply -o from_ply.obj
+expect 0 measure from_ply.obj
+for name in out.off out.stl out.glb out.txt out; do
+  for command in unwrap parameterize; do
+    expect 2 $command sheet.off -o $name
+    check "$command says what is written instead of $name" grep -q '\.obj and \.ply' err.txt
+  done
+done
+expect 17 deform bar.off --handles index_2.txt -o bar_out.glb
+expect 17 deform bar.mesh --handles index_3.txt -o bar_out.obj
+expect 2 unwrap sheet.off -o out.ply --checker
+check "nothing was written" test -z "$(ls out* bar_out* 2> /dev/null | grep -v '^out.txt$')"
+
+# Outputs that would destroy an input or each other are refused, and nothing happens.
+cp sheet.obj precious.obj
+printf '0 1\n' > seam.txt
+ln -s precious.obj alias.obj
+for arguments in 'unwrap precious.obj --json precious.obj' 'unwrap precious.obj -o a.obj --png alias.obj' \
+  'unwrap precious.obj --seams seam.txt -o a.obj --json seam.txt' 'unwrap precious.obj -o a.obj --json ./a.obj' \
+  'unwrap precious.obj -o a.obj --png a_checker.png' 'parameterize precious.obj --trace precious.obj' \
+  'parameterize precious.obj --start off.obj -o off.obj' 'measure precious.obj --json precious.obj' \
+  'repair precious.obj --json precious.obj' 'pack precious.obj --json precious.obj' \
+  'deform bar.off --handles index_2.txt -o index_2.txt' 'deform bar.off --handles index_2.txt --json bar.off'; do
+  expect 2 $arguments
+  check "$arguments: the reason" grep -q 'same file\|would replace' err.txt
+done
+check "the input is still there" cmp -s precious.obj sheet.obj
+check "seams are still there" test "$(cat seam.txt)" = '0 1'
+check "nothing was written" test ! -e a.obj
+# What fails in the middle leaves what was there.
+{ echo 'usemtl red'; cat sheet.obj; } > kept.obj
+cp kept.obj kept_before.obj
+(ulimit -f 1; "$program" unwrap kept.obj -o kept.obj > out.txt 2> err.txt) 2> /dev/null
+check "an output that cannot be completed leaves the input" cmp -s kept.obj kept_before.obj
+rm -f kept.obj.*.tmp
+expect 0 unwrap sheet.off -o a.obj --json a.json --png a.png
+check "no temporary files are left" test -z "$(ls -a | grep '\.tmp$')"
+
+# Numbers of vertices are those of the file, through any repair, and a byte order mark does not matter.
+awk 'BEGIN {
+  n = 4; print "OFF\n" (n + 1) * (n + 1) + 1, 2 * n * n, 0
+  print "0 0 0" # twice, so that a repair numbers all others anew
+  for(j = 0; j <= n; ++j) for(i = 0; i <= n; ++i) print i / n, j / n, 0
+  for(j = 0; j < n; ++j) for(i = 0; i < n; ++i) {
+    a = j * (n + 1) + i + 1; b = a + 1; c = b + n + 1; d = c - 1
+    print 3, (a == 1 ? 0 : a), b, c; print 3, a, c, d
+  }
+}' > doubled.off
+printf '\357\273\277# at x = 1/2\n3 8\n8 13\n13 18\n18 23\n' > middle.txt
+for repair in '' --repair; do
+  expect 0 unwrap doubled.off $repair --seams middle.txt --max-distortion inf -o atlas.obj --json atlas.json
+  check "the seam is at x = 1/2 ($repair)" awk '
+    $1 == "v" { x[++v] = $2 }
+    $1 == "f" { for(k = 2; k <= 4; ++k) { split($k, i, "/"); if(x[i[1]] == 0.5) middle[i[1]] = middle[i[1]] " " i[2] } }
+    END { for(v in middle) { n = split(middle[v], t, " "); different = 0
+            for(k = 2; k <= n; ++k) if(t[k] != t[1]) different = 1
+            if(!different) exit 1 } }' atlas.obj
+done
+printf '\357\273\2770\n142\n' > fixed_marked.txt
+expect 0 parameterize sheet.off --start off.obj --fixed fixed_marked.txt
+printf '3 8\n3 14\n' > bad.txt
+expect 17 unwrap doubled.off --repair --seams bad.txt
+check "the line is named" grep -q 'bad.txt, line 2: there is no edge' err.txt
+
+# Messages name the element and what helps.
+expect 8 parameterize vertex.off
+check "the pinched vertex" grep -q 'vertex number 0' err.txt
+check "the way out" grep -q 'sub-command unwrap' err.txt
+for file in closed components handle quads; do
+  "$program" parameterize $file.off > out.txt 2> err.txt
+  check "$file: the way out" grep -q 'sub-command unwrap' err.txt
+  check "$file: no function is named" test -z "$(grep '()' err.txt)"
+done
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Texture coordinates that are there already
+
+# A cube with an island for each side, one of them mirrored and one with a triangle turned over.
+awk 'BEGIN {
+  for(v = 0; v < 8; ++v) print "v", v % 2, int(v / 2) % 2, int(v / 4)
+  split("0 2 3 1 4 5 7 6 0 1 5 4 2 6 7 3 0 4 6 2 1 3 7 5", q, " ")
+  for(s = 0; s < 6; ++s) {
+    x = 1.5 * (s % 3); y = 2 * int(s / 3); m = s == 2 ? -1 : 1
+    print "vt", x, y; print "vt", x + m, y; print "vt", x + m, y + 1; print "vt", (s == 4 ? x + 1.5 : x), (s == 4 ? y : y + 1)
+  }
+  for(s = 0; s < 6; ++s) {
+    for(k = 1; k <= 4; ++k) c[k] = (q[4 * s + k] + 1) "/" (4 * s + k)
+    if(s % 2) print "f", c[1], c[2], c[3], c[4]; else { print "f", c[1], c[2], c[3]; print "f", c[1], c[3], c[4] }
+  }
+  print "v 5 5 5\nf 1 2 9\nv 0.5 0 0\nvt 9 9\nf 1/25 2/25 10/25"
+}' > islands.obj
+expect 11 measure islands.obj --json measured.json
+check "islands are counted" test "$(value measured.json islands)" = 6
+check "mirrored and flipped faces are counted" test "$(value measured.json flips)" = 3
+check "faces without texture coordinates are counted" test "$(value measured.json faces_without_texture)" = 1
+check "faces without area are counted" test "$(value measured.json faces_without_area)" = 1
+expect 0 repair islands.obj -o islands_out.obj --json repaired.json
+check "two islands are repaired" grep -q 'repaired 2 of 6 islands' repaired.json
+expect 0 measure islands_out.obj --json measured.json
+check "no flips are left" test "$(value measured.json flips)" = 0
+check "islands keep their scale" close "$(value measured.json energy)" 1 1e-6
+check "islands that were right are left alone" test \
+  "$(awk '$1 == "vt" { t[++n] = $2 " " $3 } /^f 5/ { for(k = 2; k <= 5; ++k) { split($k, i, "/"); print t[i[2]] } }' islands_out.obj)" = \
+  "$(awk '$1 == "vt" { t[++n] = $2 " " $3 } /^f 5/ { for(k = 2; k <= 5; ++k) { split($k, i, "/"); print t[i[2]] } }' islands.obj)"
+expect 0 repair islands_out.obj -o again.obj --json repaired.json
+check "nothing is left to repair" grep -q 'nothing had to be repaired' repaired.json
+expect 17 repair sheet.obj
+expect 0 pack islands_out.obj -o packed.obj --json packed.json
+check "islands that are packed" test "$(value packed.json charts)" = 6
+expect 0 measure packed.obj --json measured.json
+check "packed islands do not overlap" test "$(value measured.json bijective)" = true
+check "the unit square is kept by what has an area" awk '$1 == "vt" && $2 != 9 { for(k = 2; k <= 3; ++k) if($k < 0 || $k > 1) wrong = 1 }
+  END { exit wrong }' packed.obj
+check "packed islands have one scale" close "$(value measured.json energy_of_similarity)" 1 1e-6
+expect 0 pack islands.obj -o packed.obj
+expect 11 measure packed.obj --json measured.json
+check "what was mirrored stays mirrored" test "$(value measured.json flips)" = 3
+expect 17 pack sheet.obj -o packed.obj
+expect 16 pack islands.obj --margin 0
+grep -v ' 9$\|/25' islands_out.obj > cube.obj
+expect 0 unwrap cube.obj --keep-seams -o kept_seams.obj --json atlas.json
+check "seams of the file are kept" test "$(total atlas.json number_of_charts)" = 6
+expect 0 measure kept_seams.obj --json measured.json
+check "and its charts are flattened anew" close "$(value measured.json energy_of_similarity)" 1 1e-6
 
 # ---------------------------------------------------------------------------------------------------------------------
 # Deformations
@@ -681,6 +875,34 @@ check "VTU" grep -q '<VTKFile' bar.vtu
 expect 0 deform bar.mesh --handles index_3.txt --start one_bar.mesh --json start.json --tolerance 1e-5
 check "a given start that is the optimum" test "$(value start.json iterations)" = 0
 expect 17 deform bar.mesh --handles index_3.txt --start no_such_file.mesh
+# References and other sections are kept, and what would be torn off is refused.
+awk '/^End/ { print "Ridges\n1\n1\nEnd # of all"; next } NF == 4 || NF == 5 { $NF = NR } { print }' bar.mesh > labelled.mesh
+expect 0 deform labelled.mesh --handles index_3.txt -o labelled_out.mesh --tolerance 1e-6
+check "labels are kept" test "$(awk 'NF == 4 { print "point", $4; next } { print }' labelled_out.mesh)" = \
+  "$(awk 'NF == 4 { print "point", $4; next } { print }' labelled.mesh)"
+check "and so are places" test "$(vertices_of labelled_out.mesh)" = "$(vertices_of one_bar.mesh)"
+sed 's/^Tetrahedra/Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nTetrahedra/' bar.mesh > mixed.mesh
+expect 17 deform mixed.mesh --handles index_3.txt -o bad.mesh
+check "other elements are named" grep -q 'Hexahedra' err.txt
+expect 17 deform bar.msh --handles index_3.txt
+check "the formats that are read are named" grep -q '\.obj.*\.mesh' err.txt
+
+# A plane is one up to rounding, and may be any coordinate plane, seen from either side.
+awk 'NF == 3 && $1 != 85 { print $1, $2, $3 + (NR % 3) * 1e-15; next } { print }' bar.off > rounded.off
+awk 'NF == 3 && $1 != 85 { print $1, $3, $2; next } { print }' bar.off > front.off
+awk '$1 == 3 && NF == 4 { print 3, $2, $4, $3; next } { print }' front.off > back.off
+awk 'NF == 3 && $1 != 85 { print 7, $1, $2; next } { print }' bar.off > side.off
+for view in 'rounded 1 2' 'front 1 3' 'back 1 3' 'side 2 3'; do
+  set -- $view
+  expect 0 deform $1.off --handles index_2.txt -o $1_out.off --json $1.json --tolerance 1e-6
+  check "$1: flips" test "$(value $1.json flips)" = 0
+  check "$1: handles arrive" test -z "$(vertices_of $1_out.off | awk -v i=$2 -v j=$3 '
+    { x[NR - 1] = $i; y[NR - 1] = $j }
+    END { while((getline line < "index_2.txt") > 0) { split(line, h); if(x[h[1]] != h[2] || y[h[1]] != h[3]) print line } }')"
+done
+check "all sides are bent alike" close "$(value back.json energy)" "$(value front.json energy)" 1e-6
+expect 19 deform sheet.off --handles index_2.txt
+check "the vertex off the plane is named" grep -q 'of vertex number [0-9]* differs by' err.txt
 expect 0 deform bar.mesh --handles index_3.txt --soft-weight 100 -o soft.mesh --json soft.json
 check "soft handles give way" less "$(value soft.json energy)" "$bent"
 
@@ -712,6 +934,17 @@ done
 for option in '--soft-weight 10' '--start bar.off' '--tikhonov 1'; do
   expect 16 deform bar.off --handles index_2.txt $option
 done
+
+# What is not moved is kept.
+awk '
+  BEGIN { print "# flat\nmtllib puppet.mtl\no puppet"; m = 5; n = 17 }
+  NF == 3 && v < m * n && $1 != m * n { ++v; print "v", $0, "0.5 0.5 0.5"; t = t "vt " $1 " " $2 "\n" }
+  NF == 4 { if(!f++) printf "%susemtl skin\n", t; print "f", $2 + 1 "/" $2 + 1, $3 + 1 "/" $3 + 1, $4 + 1 "/" $4 + 1 }' bar.off > bar.obj
+expect 0 deform bar.obj --handles index_2.txt -o one_bar.obj --tolerance 1e-6
+check "the places are those of the OFF" test -z \
+  "$(paste -d ' ' <(awk '$1 == "v" { print $2, $3, $4 }' one_bar.obj) <(vertices_of one_bar.off) | awk '$1 != $4 || $2 != $5 || $3 != $6')"
+check "everything else is kept" test "$(sed 's/^v .* .* .* \(.* .* .*\)/v \1/' one_bar.obj)" = \
+  "$(sed 's/^v .* .* .* \(.* .* .*\)/v \1/' bar.obj)"
 
 # Far from the origin single precision holds no shape: STL must be written with all digits.
 {
@@ -834,7 +1067,8 @@ expect 17 parameterize sheet.off --svg missing/sheet.svg
 expect 17 parameterize sheet.off --trace missing/trace.csv
 expect 17 measure off.obj --json missing/measured.json
 if [ -c /dev/full ]; then
-  expect 17 parameterize sheet.off -o /dev/full
+  ln -s /dev/full full.obj
+  expect 17 parameterize sheet.off -o full.obj
   expect 17 parameterize sheet.off --json /dev/full
   expect 17 parameterize sheet.off --trace /dev/full
 fi

@@ -10,19 +10,66 @@
 #include "../commands.h"
 #include "../splitting.h"
 
+#include "../formats/Polygon_document.h"
 #include "../formats/volume_files.h"
+#include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 #include <CGAL/Flip_free_maps/deform.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <iostream>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace program {
 
 namespace {
+
+// The plane in which a planar mesh lies: the two axes along it in rising order, and whether its faces are seen from behind.
+struct Mesh_plane
+{
+  int first = 0, second = 1;
+  bool is_mirrored = false;
+
+  Kernel::Point_2 operator()(const Kernel::Point_3& p) const { return Kernel::Point_2(is_mirrored ? -p[first] : p[first], p[second]); }
+};
+
+// The coordinate plane that a mesh lies in, up to rounding.
+Mesh_plane find_plane(const Surface& surface, const std::vector<bool>& is_used)
+{
+  const std::size_t origin = surface.polygons[0][0];
+  std::array<double, 3> deviation{};
+  std::array<std::size_t, 3> vertex{};
+  for(std::size_t v = 0; v < surface.points.size(); ++v)
+    for(int c = 0; is_used[v] && c < 3; ++c)
+      if(std::abs(surface.points[v][c] - surface.points[origin][c]) > deviation[c]) {
+        deviation[c] = std::abs(surface.points[v][c] - surface.points[origin][c]);
+        vertex[c] = v;
+      }
+  const int normal = deviation[2] <= (std::min)(deviation[0], deviation[1]) ? 2 : deviation[1] <= deviation[0] ? 1 : 0;
+  const double extent = (std::max)({deviation[0], deviation[1], deviation[2]});
+  if(deviation[normal] > 1e-9 * extent) {
+    const std::string axis(1, static_cast<char>('x' + normal));
+    std::string text;
+    FFM::internal::append_number(text, deviation[normal], 3);
+    throw Failure{Status::not_planar, "the mesh lies in no plane " + axis + " = const: " + axis + " of vertex number " +
+                                        std::to_string(vertex[normal]) + " differs by " + text + " from that of vertex number " +
+                                        std::to_string(origin) + "; solids are tetrahedra, or closed surfaces"};
+  }
+  Mesh_plane plane;
+  plane.first = normal == 0 ? 1 : 0;
+  plane.second = normal == 2 ? 1 : 2;
+  // In the plane of x and y, turned faces are an error of the file.
+  if(normal != 2) {
+    double area = 0;
+    for(const auto& t : surface.polygons)
+      area += CGAL::area(plane(surface.points[t[0]]), plane(surface.points[t[1]]), plane(surface.points[t[2]]));
+    plane.is_mirrored = area < 0;
+  }
+  return plane;
+}
 
 class Deform : public Command
 {
@@ -31,14 +78,15 @@ public:
   {
     app = application.add_subcommand("deform", "Deform a planar shape or a solid by handles");
     app
-      ->add_option("input", m_arguments.input,
-                   "planar mesh, z = const: OFF, OBJ, PLY or STL; tetrahedra: .mesh, .vtu, .node or .ele; or a closed surface, which is "
-                   "filled with tetrahedra first")
+      ->add_option(
+        "input", m_arguments.input,
+        "planar mesh, in a plane x, y or z = const: OFF, OBJ, PLY or STL; tetrahedra: .mesh, .vtu, .node or .ele; or a closed surface, which is "
+        "filled with tetrahedra first")
       ->required();
     app
       ->add_option("--handles", m_arguments.handles,
                    "file with lines 'vertex x y [z]', vertices numbered from 0, or 'x y [z] -> x2 y2 [z2]', which means the vertex "
-                   "nearest to x y [z]")
+                   "nearest to x y [z]; two coordinates for planar meshes, those along the plane")
       ->required();
     app->add_option("-o,--output", m_arguments.output, "deformed mesh, in a format of the same kind");
     app->add_option("--start", m_arguments.start, "solids: the same mesh, deformed, to begin with instead of the rest shape");
@@ -55,11 +103,12 @@ public:
   int run() override
   {
     m_is_volume = is_volume(m_arguments.input);
-    const std::string reason = why_not_available(m_arguments.method, m_is_volume ? 3 : 2);
-    if(!reason.empty()) {
-      std::cerr << "flip_free_maps: " << reason << '\n';
-      return 2;
-    }
+    std::string reason = why_not_available(m_arguments.method, m_is_volume ? 3 : 2);
+    if(reason.empty())
+      reason = why_files_collide({{"the input", m_arguments.input}, {"--handles", m_arguments.handles}, {"--start", m_arguments.start}},
+                                 files_of(m_arguments));
+    if(!reason.empty())
+      return refuse(reason);
     return run_reported(m_arguments.method, [this](FFM::Summary& summary) { deform(summary); });
   }
 
@@ -72,6 +121,7 @@ private:
 
   void deform(FFM::Summary& summary)
   {
+    check_folders(files_of(m_arguments));
     if(m_is_volume) {
       FFM::Tetrahedral_mesh mesh;
       std::string message;
@@ -79,6 +129,10 @@ private:
       deform_solid(m_arguments, std::move(mesh), summary);
       return;
     }
+    const std::string extension = small_extension(m_arguments.input);
+    check(extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl",
+          "cannot read " + m_arguments.input +
+            ": planar meshes and surfaces are read from files .off, .obj, .ply and .stl, tetrahedra from .mesh, .vtu, .node and .ele");
     Triangles triangles;
     read_triangles(m_arguments.input, triangles);
     if(CGAL::is_closed(triangles.mesh))
@@ -92,19 +146,19 @@ private:
     if(!m_arguments.start.empty() || m_arguments.soft_weight > 0 || m_arguments.tikhonov > 0)
       throw Failure{Status::invalid_option, "--start, --soft-weight and --tikhonov are for solids"};
     Mesh& mesh = triangles.mesh;
-    FFM::Positions<2> points(2, triangles.points.size());
-    for(std::size_t i = 0; i < triangles.points.size(); ++i)
-      points.col(i) << triangles.points[i].x(), triangles.points[i].y();
+    const std::string extension = small_extension(m_arguments.output);
+    check(m_arguments.output.empty() || extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl",
+          "cannot write " + m_arguments.output + ": planar meshes are written to files .off, .obj, .ply and .stl");
     std::vector<bool> is_used(triangles.points.size(), false);
     for(const auto& polygon : triangles.polygons)
       for(const std::size_t v : polygon)
         is_used[v] = true;
-    FFM::Handles<2> read;
-    std::string message;
-    check(FFM::read_handles<2>(m_arguments.handles, points, read, &message, is_used), message);
-    std::vector<std::pair<Vertex, Kernel::Point_2>> handles;
-    for(std::size_t i = 0; i < read.vertices.size(); ++i)
-      handles.emplace_back(Vertex(read.vertices[i]), Kernel::Point_2(read.targets(0, i), read.targets(1, i)));
+    const Mesh_plane plane = find_plane(triangles, is_used);
+    for(std::size_t i = 0; i < triangles.points.size(); ++i) {
+      const Kernel::Point_2 p = plane(triangles.points[i]);
+      mesh.point(Vertex(static_cast<Mesh::size_type>(i))) = Kernel::Point_3(p.x(), p.y(), 0);
+    }
+    const std::vector<std::pair<Vertex, Kernel::Point_2>> handles = read_planar_handles(triangles, plane, is_used);
 
     auto result = mesh.add_property_map<Vertex, Kernel::Point_2>("v:deformed").first;
     const auto reporter = std::make_shared<Reporter>(m_arguments.method);
@@ -132,16 +186,45 @@ private:
       if(is_used[v]) {
         numbers[v] = static_cast<int>(layout.texture.size());
         layout.texture.push_back({result[v].x(), result[v].y()});
-        triangles.points[v] = Kernel::Point_3(result[v].x(), result[v].y(), triangles.points[v].z());
+        std::array<double, 3> p{triangles.points[v].x(), triangles.points[v].y(), triangles.points[v].z()};
+        p[plane.first] = plane.is_mirrored ? -result[v].x() : result[v].x();
+        p[plane.second] = result[v].y();
+        triangles.points[v] = Kernel::Point_3(p[0], p[1], p[2]);
       }
     for(const auto& polygon : triangles.polygons)
       layout.texture_triangles.push_back({numbers[polygon[0]], numbers[polygon[1]], numbers[polygon[2]]});
     write_pictures(m_arguments.pictures, m_arguments.input, layout, distortion, summary);
-    // Binary STL has single precision, in which the certificate is lost.
     if(!m_arguments.output.empty())
-      check(CGAL::IO::write_polygon_soup(m_arguments.output, triangles.points, triangles.polygons,
-                                         CGAL::parameters::stream_precision(17).use_binary_mode(false)),
-            "cannot write " + m_arguments.output);
+      write_text(m_arguments.output, deformed_text(extension, triangles));
+  }
+
+  // Their coordinates in the file are those along the plane.
+  std::vector<std::pair<Vertex, Kernel::Point_2>> read_planar_handles(const Surface& surface, const Mesh_plane& plane,
+                                                                      const std::vector<bool>& is_used) const
+  {
+    FFM::Positions<2> points(2, surface.points.size());
+    for(std::size_t i = 0; i < surface.points.size(); ++i)
+      points.col(i) << surface.points[i][plane.first], surface.points[i][plane.second];
+    FFM::Handles<2> read;
+    std::string message;
+    check(FFM::read_handles<2>(m_arguments.handles, points, read, &message, is_used), message);
+    std::vector<std::pair<Vertex, Kernel::Point_2>> handles;
+    for(std::size_t i = 0; i < read.vertices.size(); ++i)
+      handles.emplace_back(Vertex(read.vertices[i]),
+                           Kernel::Point_2(plane.is_mirrored ? -read.targets(0, i) : read.targets(0, i), read.targets(1, i)));
+    return handles;
+  }
+
+  // Everything else of the input's file is kept if the output has the same format and can hold more than points and faces.
+  static std::string deformed_text(const std::string& extension, const Surface& surface)
+  {
+    const auto document = make_document(extension, surface.text);
+    if(document == nullptr || small_extension(surface.path) != extension)
+      return surface_text(extension, surface);
+    std::vector<std::array<double, 3>> points;
+    for(const Kernel::Point_3& p : surface.points)
+      points.push_back({p.x(), p.y(), p.z()});
+    return document->with_points(points);
   }
 
   Deform_arguments m_arguments;

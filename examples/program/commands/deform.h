@@ -29,6 +29,12 @@ struct Deform_arguments
   double soft_weight = 0, tikhonov = 0, cell_size = 0.05;
 };
 
+// All files that a call writes, the mesh first.
+std::vector<File_argument> files_of(const Deform_arguments& arguments);
+
+// Fails if an output of a solid has an extension that is not written.
+void check_solid_output(const std::string& path);
+
 // Fills a closed surface with tetrahedra.
 FFM::Tetrahedral_mesh tetrahedralized(const Mesh& surface, double cell_size);
 

@@ -9,6 +9,7 @@
 
 #include "../splitting.h"
 
+#include "../formats/Medit_text.h"
 #include "../formats/VTU.h"
 #include "../formats/volume_files.h"
 #include "../pictures/Surface_picture.h"
@@ -67,6 +68,22 @@ void draw(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& before
 
 } // namespace
 
+std::vector<File_argument> files_of(const Deform_arguments& arguments)
+{
+  return {{"--output", arguments.output},
+          {"--json", arguments.method.json},
+          {"--trace", arguments.method.trace},
+          {"--svg", arguments.pictures.svg},
+          {"--png", arguments.pictures.png}};
+}
+
+void check_solid_output(const std::string& path)
+{
+  const std::string extension = small_extension(path);
+  check(path.empty() || extension == ".mesh" || extension == ".vtu" || extension == ".node" || extension == ".ele",
+        "cannot write " + path + ": solids are written to files .mesh, .vtu, .node and .ele");
+}
+
 FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume)
 {
   FFM::Positions<3> points(3, mesh.points.size());
@@ -85,6 +102,7 @@ void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh,
 {
   if(!arguments.pictures.svg.empty())
     throw Failure{Status::invalid_option, "solids are drawn to PNG only"};
+  check_solid_output(arguments.output);
   FFM::Tetrahedral_domain volume;
   std::string message;
   const Status status = volume.load(mesh.points, mesh.tetrahedra, message);
@@ -133,10 +151,15 @@ void write_solid(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh&
   for(std::size_t i = 0; i < result.size(); ++i)
     deformed.points[i] = {result[i].x(), result[i].y(), result[i].z()};
   if(!arguments.output.empty()) {
-    const bool is_vtu = arguments.output.size() > 4 && arguments.output.substr(arguments.output.size() - 4) == ".vtu";
-    check(is_vtu ? FFM::write_VTU(arguments.output, deformed, {}, {{"symmetric_dirichlet_energy", 1, distortion}}, &message)
-                 : FFM::write_volume(arguments.output, deformed, &message),
-          message);
+    const std::string extension = small_extension(arguments.output);
+    if(extension == ".mesh" && small_extension(arguments.input) == extension) {
+      std::string text;
+      check(FFM::internal::read_whole_file(arguments.input, text, &message), message);
+      write_text(arguments.output, Medit_with_points(text, deformed.points));
+    } else
+      check(extension == ".vtu" ? FFM::write_VTU(arguments.output, deformed, {}, {{"symmetric_dirichlet_energy", 1, distortion}}, &message)
+                                : FFM::write_volume(arguments.output, deformed, &message),
+            message);
   }
   if(!arguments.pictures.png.empty())
     draw(arguments, mesh, deformed, distortion, summary.energy);

@@ -49,12 +49,18 @@ public:
 
   int run() override
   {
+    const std::string reason = why_files_collide(
+      {{"the input", m_arguments.input}, {"the target", m_arguments.handles}, {"--start", m_arguments.start}}, files_of(m_arguments));
+    if(!reason.empty())
+      return refuse(reason);
     return run_reported(m_arguments.method, [this](FFM::Summary& summary) { map(summary); });
   }
 
 private:
   void map(FFM::Summary& summary)
   {
+    check_folders(files_of(m_arguments));
+    check_solid_output(m_arguments.output);
     FFM::Tetrahedral_mesh mesh;
     std::string message;
     check(FFM::read_volume(m_arguments.input, mesh, &message), message);
@@ -122,13 +128,14 @@ private:
       }
       return boundary;
     }
-    std::vector<Kernel::Point_3> points;
-    std::vector<std::vector<std::size_t>> faces;
-    read_soup(m_arguments.handles, points, faces);
+    Polygon_file target;
+    const std::string error = read_polygon_file(m_arguments.handles, target);
+    check(error.empty(), error);
+    const auto& points = target.points;
     check(points.size() <= mesh.points.size(), m_arguments.handles + " has more vertices than " + m_arguments.input);
     std::vector<std::int32_t> boundary;
     for(std::size_t v = 0; v < points.size(); ++v) {
-      result[v] = points[v];
+      result[v] = Kernel::Point_3(points[v][0], points[v][1], points[v][2]);
       if(volume.number(v) >= 0)
         boundary.push_back(volume.number(v));
     }

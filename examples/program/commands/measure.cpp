@@ -5,13 +5,15 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
+#include "../Atlas.h"
 #include "../commands.h"
+#include "../outputs.h"
 #include "../report.h"
 
-#include <CGAL/Flip_free_maps/IO/OBJ.h>
 #include <CGAL/Flip_free_maps/is_bijective.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace program {
@@ -23,36 +25,51 @@ class Measure : public Command
 public:
   explicit Measure(CLI::App& application)
   {
-    app = application.add_subcommand("measure", "Measure the texture coordinates of an OBJ; exit code 0 only without flips");
-    app->add_option("input", m_input, "OBJ with texture coordinates")->required();
+    app = application.add_subcommand("measure", "Measure texture coordinates, in any number of islands; exit code 0 only without flips");
+    app->add_option("input", m_input, "OBJ or PLY with texture coordinates; faces without them, or without area, are counted only")
+      ->required();
     app->add_option("--json", m_json, "write the figures");
   }
 
   int run() override
   {
+    const std::string reason = why_files_collide({{"", ""}, {"the input", m_input}}, {{"--json", m_json}});
+    if(!reason.empty())
+      return refuse(reason);
     FFM::Distortion_report report;
-    FFM::Textured_mesh mesh;
-    if(!FFM::read_textured_OBJ(m_input, mesh, &report.message))
-      report.status = Status::file_error;
-    else
-      report = FFM::measure_distortion(mesh);
-    std::string reason;
-    const bool is_bijective = report.status == Status::success && FFM::is_bijective(mesh, &reason);
+    Atlas atlas;
+    run_guarded(
+      Method_arguments(), [&] { measure(atlas, report); },
+      [&](Status status, const std::string& message) {
+        report.status = status;
+        report.message = message;
+      });
+    const bool is_measured = report.status == Status::success;
+    std::string overlap;
+    const bool is_bijective = is_measured && FFM::is_bijective(atlas.mesh, &overlap);
+    const std::size_t number_of_islands = is_measured ? islands(atlas).size() : 0;
     nlohmann::json json = report;
     json["bijective"] = is_bijective;
+    json["islands"] = number_of_islands;
+    json["faces_without_texture"] = atlas.without_images;
+    json["faces_without_area"] = atlas.without_area;
     try {
       write_json(m_json, json);
     } catch(const Failure& failure) {
       std::cerr << "flip_free_maps: " << failure.message << '\n';
       return exit_code(failure.status);
     }
-    if(report.status != Status::success) {
+    if(!is_measured) {
       std::cerr << "flip_free_maps: " << FFM::status_name(report.status) << ": " << report.message << '\n';
       return exit_code(report.status);
     }
-    std::cout << report.elements << " faces, " << report.flips << " flipped; "
-              << (is_bijective ? "the map is bijective" : "the map is not bijective: " + reason) << '\n'
-              << "symmetric Dirichlet energy " << report.energy << " (" << report.energy_of_similarity
+    std::cout << report.elements << " faces in " << number_of_islands << (number_of_islands == 1 ? " island, " : " islands, ")
+              << report.flips << " flipped; " << (is_bijective ? "the map is bijective" : "the map is not bijective: " + overlap) << '\n';
+    if(atlas.without_images > 0)
+      std::cout << atlas.without_images << " faces without texture coordinates are left out\n";
+    if(atlas.without_area > 0)
+      std::cout << atlas.without_area << " faces without area are left out\n";
+    std::cout << "symmetric Dirichlet energy " << report.energy << " (" << report.energy_of_similarity
               << " after the best scaling), largest " << report.max_energy << '\n'
               << "mean angle distortion " << report.mean_angle_distortion << ", mean area distortion " << report.mean_area_distortion
               << '\n'
@@ -61,6 +78,23 @@ public:
   }
 
 private:
+  void measure(Atlas& atlas, FFM::Distortion_report& report) const
+  {
+    Surface surface;
+    read_surface(m_input, true, surface);
+    atlas = make_atlas(surface, surface.images);
+    check(atlas.without_images < surface.polygons.size(), m_input + ": no face has texture coordinates");
+    report = FFM::measure_distortion(atlas.mesh);
+    if(report.status != Status::success)
+      return;
+    // A polygon counts once, and is flipped if a triangle of it is.
+    std::vector<char> state(surface.polygons.size(), 0);
+    for(std::size_t i = 0; i < atlas.polygons.size(); ++i)
+      state[atlas.polygons[i]] |= image_orientation(atlas.mesh, i) == CGAL::LEFT_TURN ? 1 : 2;
+    report.elements = state.size() - std::count(state.begin(), state.end(), 0);
+    report.flips = report.elements - std::count(state.begin(), state.end(), 1);
+  }
+
   std::string m_input, m_json;
 };
 

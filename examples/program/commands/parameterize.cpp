@@ -7,6 +7,7 @@
 
 #include "../commands.h"
 #include "../layout.h"
+#include "../number_files.h"
 #include "../report.h"
 #include "../splitting.h"
 
@@ -14,7 +15,6 @@
 #include <CGAL/Flip_free_maps/parameterize.h>
 
 #include <cmath>
-#include <sstream>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -25,46 +25,18 @@ namespace {
 
 using Soft_position = std::tuple<Vertex, Kernel::Point_2, double>;
 
-// Numbers in the lines of a file, without comments and empty lines.
-std::vector<std::vector<double>> read_numbers(const std::string& path, std::size_t per_line)
-{
-  std::ifstream in(path);
-  check(bool(in), "cannot open " + path);
-  std::vector<std::vector<double>> rows;
-  int number = 0;
-  for(std::string line; std::getline(in, line);) {
-    ++number;
-    std::istringstream words(line.substr(0, line.find('#')));
-    std::vector<double> row;
-    for(double value; words >> value;)
-      row.push_back(value);
-    check(words.eof() && (row.empty() || row.size() == per_line),
-          path + ", line " + std::to_string(number) + ": " + std::to_string(per_line) + " numbers are expected");
-    if(!row.empty())
-      rows.push_back(row);
-  }
-  return rows;
-}
-
-Vertex vertex_of(double number, const Mesh& mesh, const std::string& path)
-{
-  check(number >= 0 && number < mesh.number_of_vertices() && number == std::floor(number),
-        path + " names a vertex that does not exist: " + std::to_string(number));
-  return Vertex(static_cast<Mesh::size_type>(number));
-}
-
 class Parameterize : public Command
 {
 public:
   explicit Parameterize(CLI::App& application)
   {
     app = application.add_subcommand("parameterize", "Flatten a surface patch, a disk that may have holes, into the plane");
-    add_layout_options(*app, m_layout, "mesh: OFF, OBJ, PLY or STL", "OBJ with texture coordinates, in the units of the surface");
+    add_layout_options(*app, m_layout, "mesh: OFF, OBJ, PLY or STL", "the mesh with texture coordinates, in the units of the surface");
     add_method_options(*app, m_method);
     app
       ->add_option(
         "--start", m_start,
-        "Tutte embedding, from coarse to fine, or an OBJ of the same mesh with the texture coordinates to begin with; 'auto' is from "
+        "Tutte embedding, from coarse to fine, or an OBJ or PLY of the same mesh with the texture coordinates to begin with; 'auto' is from "
         "coarse to fine for the default method on large meshes, and either where the other fails")
       ->capture_default_str();
     app->add_option("--border", m_border, "border of the start")
@@ -74,7 +46,8 @@ public:
       ->check(CLI::IsMember({"uniform", "mean-value", "cotangent"}))
       ->capture_default_str();
     app->add_flag("--flaps", m_place_flaps, "begin with border vertices of a single triangle at their optimum");
-    app->add_option("--fixed", m_fixed, "file with the number of a vertex per line, from 0: these keep their places in the start");
+    app->add_option("--fixed", m_fixed,
+                    "file with the number of a vertex of the input per line, from 0: these keep their places in the start");
     app->add_flag("--fix-border", m_fix_border, "the vertices of all borders keep their places in the start");
     app->add_option("--soft", m_soft,
                     "file with lines 'vertex u v weight': vertices that are pulled to places, in the units of the surface");
@@ -87,16 +60,24 @@ public:
     std::string reason = why_not_available(m_method, 2);
     if(m_bijective && m_method.is_splitting())
       reason = "the splitting scheme makes no bijective maps";
-    if(!reason.empty()) {
-      std::cerr << "flip_free_maps: " << reason << '\n';
-      return 2;
-    }
-    return run_reported(m_method, [this](FFM::Summary& summary) { flatten(summary); });
+    m_files = files_of(m_layout, m_method.json, m_method.trace);
+    if(reason.empty())
+      reason = why_not_written(m_layout.output);
+    if(reason.empty())
+      reason = why_files_collide(
+        {{"the input", m_layout.input}, {"--fixed", m_fixed}, {"--soft", m_soft}, {"--start", is_named_start() ? "" : m_start}}, m_files);
+    if(!reason.empty())
+      return refuse(reason);
+    return run_reported(
+      m_method, [this](FFM::Summary& summary) { flatten(summary); }, patch_hints());
   }
 
 private:
+  bool is_named_start() const { return m_start == "auto" || m_start == "tutte" || m_start == "multilevel"; }
+
   void flatten(FFM::Summary& summary)
   {
+    check_folders(m_files);
     Patch patch;
     read_patch(m_layout.input, patch);
     const auto reporter = std::make_shared<Reporter>(m_method);
@@ -117,7 +98,7 @@ private:
     }
     reporter->finish();
     if(summary.is_valid())
-      write_layout(m_layout, patch, summary);
+      write_layout(m_layout, patch.triangles, corner_images(patch.triangles, patch.uv), summary);
   }
 
   template <typename Traits>
@@ -140,12 +121,13 @@ private:
 
     std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
     if(!m_fixed.empty())
-      for(const auto& row : read_numbers(m_fixed, 1))
-        is_fixed[vertex_of(row[0], mesh, m_fixed)] = 1;
+      for(const Number_row& row : read_number_rows(m_fixed, 1))
+        is_fixed[vertex_of(row, 0, is_fixed.size())] = 1;
     std::vector<Soft_position> soft;
     if(!m_soft.empty())
-      for(const auto& row : read_numbers(m_soft, 4))
-        soft.emplace_back(vertex_of(row[0], mesh, m_soft), Kernel::Point_2(row[1], row[2]), row[3]);
+      for(const Number_row& row : read_number_rows(m_soft, 4))
+        soft.emplace_back(Vertex(static_cast<Mesh::size_type>(vertex_of(row, 0, is_fixed.size()))),
+                          Kernel::Point_2(row.numbers[1], row.numbers[2]), row.numbers[3]);
 
     const auto constraints = FFM::parameters::border_is_fixed(
       m_fix_border, FFM::parameters::soft_positions(soft, CGAL::parameters::vertex_is_constrained_map(boost::make_iterator_property_map(
@@ -160,7 +142,7 @@ private:
   FFM::Summary parameterize(const Patch& patch, const Traits& traits, const Parameters& constraints) const
   {
     const Mesh& mesh = patch.triangles.mesh;
-    if(m_start == "auto" || m_start == "tutte" || m_start == "multilevel")
+    if(is_named_start())
       return FFM::parameterize(mesh, patch.border, patch.uv, traits, constraints);
     const std::vector<Kernel::Point_2> given = vertex_texture(m_start, patch.triangles);
     return FFM::parameterize(
@@ -170,6 +152,7 @@ private:
 
   Method_arguments m_method;
   Layout_arguments m_layout;
+  std::vector<File_argument> m_files;
   std::string m_start = "auto", m_border = "circle", m_weights = "uniform", m_fixed, m_soft;
   bool m_place_flaps = false, m_fix_border = false, m_bijective = false;
 };

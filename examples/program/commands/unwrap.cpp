@@ -7,24 +7,29 @@
 
 #include "../commands.h"
 #include "../layout.h"
+#include "../repair_polygons.h"
 #include "../report.h"
 
-#include <CGAL/Flip_free_maps/IO/OBJ.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 #include <CGAL/Flip_free_maps/unwrap.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
-#include <iostream>
+#include <limits>
 #include <map>
+#include <memory>
+#include <set>
 #include <sstream>
 #include <unistd.h>
+#include <utility>
 
 namespace program {
 
 namespace {
 
-using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
-using Corner_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 using Branches = FFM::Cut_options::Branches;
 
 const std::map<std::string, Branches> branches{{"none", Branches::none},
@@ -32,27 +37,26 @@ const std::map<std::string, Branches> branches{{"none", Branches::none},
                                                {"curvature-peaks", Branches::curvature_peaks},
                                                {"farthest-points", Branches::farthest_points}};
 
-// Marks the edges of a file with the numbers of two vertices in each line.
-void read_seams(const std::string& path, const Mesh& mesh, Edge_map seams)
+// Whether an edge, given by two numbers of points, is among some.
+class Edge_set
 {
-  std::ifstream in(path);
-  check(bool(in), "cannot open " + path);
-  int number = 0;
-  for(std::string line; std::getline(in, line);) {
-    ++number;
-    const std::string where = path + ", line " + std::to_string(number);
-    std::istringstream words(line.substr(0, line.find('#')));
-    long long v = -1, w = -1;
-    if(!(words >> v) && words.eof())
-      continue;
-    check(bool(words >> w) && (words >> std::ws).eof(), where + ": the numbers of two vertices are expected");
-    const long long size = static_cast<long long>(mesh.number_of_vertices());
-    check(v >= 0 && w >= 0 && v < size && w < size, where + " names a vertex that does not exist");
-    const Mesh::Halfedge_index h = mesh.halfedge(Vertex(static_cast<Mesh::size_type>(v)), Vertex(static_cast<Mesh::size_type>(w)));
-    check(h != Mesh::null_halfedge(), where + ": there is no edge between these vertices");
-    seams[mesh.edge(h)] = true;
+public:
+  using key_type = std::pair<std::size_t, std::size_t>;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  explicit Edge_set(const Vertex_pairs& edges) : m_edges(std::make_shared<std::set<key_type>>())
+  {
+    for(const auto& edge : edges)
+      m_edges->insert(std::minmax(edge.first, edge.second));
   }
-}
+
+  friend bool get(const Edge_set& set, const key_type& edge) { return set.m_edges->count(edge) != 0; }
+
+private:
+  std::shared_ptr<std::set<key_type>> m_edges;
+};
 
 class Unwrap : public Command
 {
@@ -60,16 +64,20 @@ public:
   explicit Unwrap(CLI::App& application)
   {
     app = application.add_subcommand("unwrap", "Make a texture atlas of any surface: cut it open, flatten it, pack the charts");
-    app->add_option("input", m_input, "mesh: OFF, OBJ, PLY or STL; closed or with holes, of any genus, of any number of components")
+    app->add_option("input", m_input, "polygons: OFF, OBJ, PLY or STL; closed or with holes, of any genus, of any number of components")
       ->required();
-    app->add_option("-o,--output", m_output, "OBJ with texture coordinates in the unit square");
+    add_surface_output(*app, m_output, "the mesh with texture coordinates in the unit square");
     app->add_option("--margin", m_options.packing.margin, "least distance between charts, in parts of the square's side")
       ->capture_default_str();
     app->add_flag("--no-rotation", m_no_rotation, "do not turn charts other than by quarters");
     app->add_flag("--no-pack", m_no_pack, "leave the charts where they are, upon each other, in the units of the surface");
     app->add_option("--max-distortion", m_options.max_distortion,
                     "split charts until their mean symmetric Dirichlet energy is at most this; 1 is an isometry");
-    app->add_option("--seams", m_seams, "file with the numbers of two vertices, from 0, per line: the edges between them are cut");
+    app->add_option("--seams", m_seams,
+                    "file with the numbers of two vertices of the input, from 0, per line: the edges between them are cut");
+    app->add_flag(
+      "--keep-seams", m_keep_seams,
+      "flatten anew along the seams of the input's own texture coordinates; further seams only where the topology asks for them");
     app->add_option("--branches", m_branches, "what seams reach beside what the topology asks for")
       ->check(CLI::IsMember({"none", "extremities", "curvature-peaks", "farthest-points"}))
       ->capture_default_str();
@@ -78,15 +86,27 @@ public:
                    "for farthest-points: how many; for the others: at most so many, 0 is no limit")
       ->capture_default_str();
     app->add_flag("--cut-disks", m_options.cut.cut_disks, "lead seams into pieces that are disks already, too");
-    app->add_flag(
+    CLI::Option* repair = app->add_flag(
       "--repair", m_repair,
-      "first remove what makes a mesh unfit: duplicated points and faces, faces without area, sheets that meet, different orientations");
+      "first remove what makes a mesh unfit: duplicated points and faces, faces without area, sheets that meet, different orientations; "
+      "the output is a new file of triangles then");
+    app
+      ->add_flag("--strict", m_strict,
+                 "refuse what is no manifold mesh of triangles, whose neighbours are oriented alike and which has no face without area")
+      ->excludes(repair);
     add_limit_options(*app, m_limits);
     add_picture_options(*app, m_pictures);
   }
 
   int run() override
   {
+    m_files = files_of(m_output);
+    m_files.insert(m_files.end(), {{"--json", m_limits.json}, {"--svg", m_pictures.svg}, {"--png", m_pictures.png}});
+    std::string reason = why_not_written(m_output);
+    if(reason.empty())
+      reason = why_files_collide({{"the input", m_input}, {"--seams", m_seams}}, m_files);
+    if(!reason.empty())
+      return refuse(reason);
     FFM::Unwrap_summary summary;
     std::string repairs;
     run_guarded(
@@ -95,6 +115,8 @@ public:
         summary.status = status;
         summary.message = message;
       });
+    if(!summary.is_valid() && !repairs.empty())
+      summary.message += " (numbers are those after --repair)";
     nlohmann::json json = summary;
     if(m_repair)
       json["repairs"] = repairs;
@@ -108,17 +130,24 @@ public:
 private:
   void unwrap(FFM::Unwrap_summary& summary, std::string& repairs)
   {
-    Triangles triangles;
-    read_surface(m_input, m_repair, triangles, repairs);
-    Mesh& mesh = triangles.mesh;
-    Corner_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-    Edge_map seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-    if(!m_seams.empty())
-      read_seams(m_seams, mesh, seams);
+    check_folders(m_files);
+    Surface surface;
+    read_surface(m_input, m_keep_seams, surface);
+    if(m_strict) {
+      // Its messages name vertices.
+      Mesh mesh;
+      make_mesh(surface, mesh);
+    }
+    const Vertex_pairs seams = prepare(surface, repairs);
     FFM::Unwrap_options options = m_options;
+    options.strict = m_strict;
     options.pack = !m_no_pack;
     options.packing.rotate = !m_no_rotation;
     options.cut.branches = branches.at(m_branches);
+    if(m_keep_seams) {
+      options.cut.branches = Branches::none;
+      options.max_distortion = std::numeric_limits<double>::infinity();
+    }
     if(m_limits.time_limit > 0)
       options.max_seconds = m_limits.time_limit;
     const bool is_quiet = m_limits.quiet || !isatty(STDERR_FILENO);
@@ -130,14 +159,43 @@ private:
       };
     FFM::Flip_free_map_traits<> traits;
     set_limits(m_limits, traits.options);
-    summary = FFM::unwrap(mesh, uv, options, traits, CGAL::parameters::edge_is_constrained_map(seams));
+    Corner_images images;
+    summary = FFM::unwrap(surface.points, surface.polygons, images,
+                          CGAL::parameters::edge_is_constrained_map(Edge_set(seams))
+                            .combine(FFM::parameters::unwrap_options(options, FFM::parameters::map_traits(traits))));
     if(!is_quiet)
       std::fputc('\n', stderr);
     if(!summary.is_valid())
       return;
+    draw(summary, surface, images);
+    write_surface(m_output, surface, images);
+  }
 
-    const FFM::Textured_mesh atlas = FFM::textured_atlas(mesh, uv);
-    FFM::Textured_mesh unscaled = atlas;
+  // Reads the seams, and repairs the surface if asked to.
+  Vertex_pairs prepare(Surface& surface, std::string& repairs) const
+  {
+    Vertex_pairs seams;
+    if(!m_seams.empty())
+      seams = read_seams(m_seams, surface);
+    if(m_keep_seams) {
+      const Vertex_pairs own = seams_of_images(surface);
+      seams.insert(seams.end(), own.begin(), own.end());
+    }
+    if(!m_repair)
+      return seams;
+    const std::vector<Kernel::Point_3> points = surface.points;
+    repairs = repair_polygons(surface);
+    if(surface.polygons.empty())
+      throw Failure{Status::empty_mesh, "nothing is left after the repair"};
+    return repaired_seams(seams, points, surface);
+  }
+
+  void draw(const FFM::Unwrap_summary& summary, const Surface& surface, const Corner_images& images) const
+  {
+    if(m_pictures.svg.empty() && m_pictures.png.empty())
+      return;
+    const Atlas atlas = make_atlas(surface, images);
+    FFM::Textured_mesh unscaled = atlas.mesh;
     for(auto& p : unscaled.texture)
       p = {p[0] / summary.scale, p[1] / summary.scale};
     std::vector<double> distortion;
@@ -145,17 +203,16 @@ private:
     char title[200];
     std::snprintf(title, sizeof title, "%s   %d charts, energy %.6f", m_input.substr(m_input.rfind('/') + 1).c_str(),
                   static_cast<int>(summary.charts.size()), summary.energy);
-    write_pictures(m_pictures, title, atlas, distortion);
-    std::string message;
-    if(!m_output.empty())
-      check(FFM::write_textured_OBJ(m_output, atlas, &message), message);
+    write_pictures(m_pictures, title, atlas.mesh, distortion);
   }
 
   Method_arguments m_limits;
   Picture_arguments m_pictures;
   FFM::Unwrap_options m_options;
-  std::string m_input, m_output, m_seams, m_branches = "extremities";
-  bool m_no_pack = false, m_no_rotation = false, m_repair = false;
+  Surface_output m_output;
+  std::vector<File_argument> m_files;
+  std::string m_input, m_seams, m_branches = "extremities";
+  bool m_no_pack = false, m_no_rotation = false, m_repair = false, m_strict = false, m_keep_seams = false;
 };
 
 } // namespace

@@ -15,6 +15,15 @@
 
 namespace program {
 
+// Whether this machine has the lowest byte of a number first.
+inline bool is_first_byte_lowest()
+{
+  const unsigned one = 1;
+  char first_byte;
+  std::memcpy(&first_byte, &one, 1);
+  return first_byte == 1;
+}
+
 // Numbers from bytes of either order. What is read beyond the end is zero, and has_failed() tells.
 class Binary_reader
 {
@@ -31,10 +40,7 @@ public:
     } else {
       std::memcpy(buffer, m_bytes.data() + m_position, sizeof(Number));
       m_position += sizeof(Number);
-      const unsigned one = 1;
-      char first_byte;
-      std::memcpy(&first_byte, &one, 1);
-      if(m_is_big_endian == (first_byte == 1))
+      if(m_is_big_endian == is_first_byte_lowest())
         std::reverse(buffer, buffer + sizeof(Number));
     }
     Number result;

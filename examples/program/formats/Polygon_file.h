@@ -18,16 +18,25 @@
 
 namespace program {
 
+using Image = std::array<double, 2>;
+// The images of the corners of each polygon, in the order of its indices; none for a polygon without texture coordinates.
+using Corner_images = std::vector<std::vector<Image>>;
+
 // Polygons of any number of corners.
 struct Polygon_file
 {
   std::vector<std::array<double, 3>> points;
   std::vector<std::vector<std::size_t>> polygons; // indices into `points`, all valid
+  Corner_images images;                           // as many as polygons if they were asked for; finite
 };
 
+// The extension of a name in small letters, with its dot.
+std::string small_extension(const std::string& path);
+
 // Reads OFF, OBJ, PLY or STL, as the extension says. Returns the empty string, or the reason of a failure, with a line of the file
-// where there is one; `file` is unchanged then. Coordinates are finite except in PLY. Corners of STL at the same place are one point.
-std::string read_polygon_file(const std::string& path, Polygon_file& file);
+// where there is one; `file` and `text` are unchanged then. Coordinates are finite except in PLY. Corners of STL at the same place are
+// one point. Texture coordinates are only looked at if they are asked for. `text` receives the content of the file.
+std::string read_polygon_file(const std::string& path, Polygon_file& file, bool with_images = false, std::string* text = nullptr);
 
 } // namespace program
 

@@ -8,6 +8,8 @@
 #ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_VTU_H
 #define FLIP_FREE_MAPS_PROGRAM_FORMATS_VTU_H
 
+#include "Binary_reader.h"
+
 #include <CGAL/Flip_free_maps/IO/internal/Word_reader.h>
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
@@ -16,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -119,15 +122,135 @@ private:
   bool m_is_broken = false;
 };
 
+// Arrays that are not written in words: base64, or bytes of their own behind all elements. Each begins with the number of its bytes.
+class VTU_data
+{
+public:
+  VTU_data() = default;
+
+  // `appended` is the text from its tag on, or empty.
+  VTU_data(const XML_scanner& file, std::string_view appended)
+    : m_is_big_endian(file.attribute("byte_order") == "BigEndian"),
+      m_has_long_counts(file.attribute("header_type") == "UInt64"),
+      m_is_compressed(!file.attribute("compressor").empty())
+  {
+    XML_scanner scanner(appended);
+    if(appended.empty() || !scanner.next())
+      return;
+    m_is_raw = scanner.attribute("encoding") == "raw";
+    const std::size_t mark = appended.find('_', appended.find('>'));
+    m_appended = mark == std::string_view::npos ? std::string_view() : appended.substr(mark + 1);
+  }
+
+  // The bytes of an array, without their number.
+  std::string read_bytes(const XML_scanner& scanner, std::string& bytes) const
+  {
+    if(m_is_compressed)
+      return "numbers are compressed, which is not supported; write the file without compression";
+    std::string_view data = scanner.content();
+    const bool is_appended = scanner.attribute("format") == "appended";
+    if(is_appended) {
+      std::size_t offset = 0;
+      if(parse_number(scanner.attribute("offset"), offset) != std::errc() || offset > m_appended.size())
+        return "the offset " + quoted_word(scanner.attribute("offset")) + " is not within the appended data";
+      data = m_appended.substr(offset);
+    } else if(scanner.attribute("format") != "binary")
+      return "the format " + quoted_word(scanner.attribute("format")) + " is unknown";
+    const std::size_t head = m_has_long_counts ? 8 : 4;
+    const bool is_raw = is_appended && m_is_raw;
+    const std::string start = is_raw ? std::string(data.substr(0, head)) : decoded(data, head);
+    program::Binary_reader reader(start, m_is_big_endian);
+    const std::uint64_t count = m_has_long_counts ? reader.read<std::uint64_t>() : reader.read<std::uint32_t>();
+    if(reader.has_failed() || count > data.size())
+      return "the file ends too early, or the array's number of bytes is wrong";
+    bytes = is_raw ? std::string(data.substr(head, count)) : decoded(data, head + count).erase(0, head);
+    return bytes.size() == count ? "" : "the file ends too early, or the array's number of bytes is wrong";
+  }
+
+  template <typename Number>
+  std::string read_numbers(std::string_view type, const std::string& bytes, std::vector<Number>& values) const
+  {
+    if(type == "Float64")
+      append_as<double>(bytes, values);
+    else if(type == "Float32")
+      append_as<float>(bytes, values);
+    else if(type == "Int64")
+      append_as<std::int64_t>(bytes, values);
+    else if(type == "UInt64")
+      append_as<std::uint64_t>(bytes, values);
+    else if(type == "Int32")
+      append_as<std::int32_t>(bytes, values);
+    else if(type == "UInt32")
+      append_as<std::uint32_t>(bytes, values);
+    else if(type == "Int16")
+      append_as<std::int16_t>(bytes, values);
+    else if(type == "UInt16")
+      append_as<std::uint16_t>(bytes, values);
+    else if(type == "Int8")
+      append_as<std::int8_t>(bytes, values);
+    else if(type == "UInt8")
+      append_as<std::uint8_t>(bytes, values);
+    else
+      return "the type " + quoted_word(type) + " is unknown";
+    if constexpr(std::is_same<Number, double>::value)
+      for(const double value : values)
+        if(!std::isfinite(value))
+          return "a number is not finite";
+    return "";
+  }
+
+private:
+  template <typename Stored, typename Number>
+  void append_as(const std::string& bytes, std::vector<Number>& values) const
+  {
+    for(program::Binary_reader reader(bytes, m_is_big_endian); reader.left() >= sizeof(Stored);)
+      values.push_back(static_cast<Number>(reader.read<Stored>()));
+  }
+
+  // So many bytes of a text in base64. Some programs encode the number of bytes for itself, so that padding stands in the middle.
+  static std::string decoded(std::string_view text, std::size_t size)
+  {
+    static const std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int number_of_bits = 0;
+    for(std::size_t i = 0; i < text.size() && bytes.size() < size; ++i) {
+      if(text[i] == '=') {
+        number_of_bits = 0;
+        continue;
+      }
+      const std::size_t digit = digits.find(text[i]);
+      if(digit == std::string_view::npos) {
+        if(text[i] != ' ' && text[i] != '\t' && text[i] != '\r' && text[i] != '\n')
+          break;
+        continue;
+      }
+      bits = bits << 6 | static_cast<std::uint32_t>(digit);
+      number_of_bits += 6;
+      if(number_of_bits >= 8) {
+        number_of_bits -= 8;
+        bytes += static_cast<char>(bits >> number_of_bits & 255);
+      }
+    }
+    return bytes;
+  }
+
+  bool m_is_big_endian = false, m_has_long_counts = false, m_is_compressed = false, m_is_raw = false;
+  std::string_view m_appended;
+};
+
 class VTU_reader
 {
 public:
   // Returns the empty string, or what is wrong with the file.
   std::string read(std::string_view text)
   {
-    XML_scanner scanner(text);
+    // Appended data may be any bytes, and nothing but the end follows them.
+    const std::size_t appended = text.find("<AppendedData");
+    XML_scanner scanner(text.substr(0, appended));
     if(!scanner.next() || scanner.name() != "VTKFile")
       return "the file does not begin with an element 'VTKFile'";
+    m_data = VTU_data(scanner, appended == std::string_view::npos ? std::string_view() : text.substr(appended));
     if(scanner.attribute("type") != "UnstructuredGrid")
       return "the file holds " + quoted_word(scanner.attribute("type")) + ", not an 'UnstructuredGrid'";
     while(scanner.next()) {
@@ -137,7 +260,7 @@ public:
       if(scanner.name() == "/VTKFile")
         return m_has_piece ? "" : "the file has no element 'Piece'";
     }
-    return "the file ends too early, without '</VTKFile>'";
+    return appended != std::string_view::npos && m_has_piece ? "" : "the file ends too early, without '</VTKFile>'";
   }
 
   Tetrahedral_mesh& mesh() { return m_mesh; }
@@ -179,12 +302,18 @@ private:
   }
 
   template <typename Number>
-  static std::string read_array(const XML_scanner& scanner, const char* name, std::vector<Number>& values)
+  std::string read_array(const XML_scanner& scanner, const char* name, std::vector<Number>& values) const
   {
     const std::string_view format = scanner.attribute("format");
-    if(format != "ascii")
-      return std::string("the array '") + name + "' is in the format " + quoted_word(format) + "; only 'ascii' is understood";
+    const std::string where = std::string("in the array '") + name + "', ";
     values.clear();
+    if(format != "ascii") {
+      std::string bytes;
+      std::string error = m_data.read_bytes(scanner, bytes);
+      if(error.empty())
+        error = m_data.read_numbers(scanner.attribute("type"), bytes, values);
+      return error.empty() ? error : where + error;
+    }
     for(Word_reader reader(scanner.content()); !reader.at_end();) {
       bool is_read = false;
       Number value{};
@@ -193,7 +322,7 @@ private:
       else
         is_read = reader.read_integer(value);
       if(!is_read)
-        return std::string("in the array '") + name + "', " + reader.error();
+        return where + reader.error();
       values.push_back(value);
     }
     return std::string();
@@ -250,6 +379,7 @@ private:
   static constexpr long long TRIANGLE = 5;
   static constexpr long long TETRAHEDRON = 10;
 
+  VTU_data m_data;
   Tetrahedral_mesh m_mesh;
   std::string_view m_group;
   bool m_has_piece = false;
@@ -298,7 +428,7 @@ inline void append_VTU_arrays(std::string& text, const char* group, const std::v
 } // namespace internal
 
 /*!
-  reads points, tetrahedra and triangles from a VTU file (unstructured grid of VTK) whose arrays are in ASCII. Several pieces are
+  reads points, tetrahedra and triangles from a VTU file (unstructured grid of VTK) whose arrays are in words, in base64 or appended. Several pieces are
   put together; points, lines and other polygons are ignored, as are the arrays of values. The locale has no influence. The
   cost is linear in the size of the file.
 
@@ -306,7 +436,7 @@ inline void append_VTU_arrays(std::string& text, const char* group, const std::v
   \param mesh receives the mesh; it is not changed if the file cannot be read
   \param message if not null, receives the reason of a failure, and the empty string on success
 
-  \returns `false` if the file cannot be opened, is no VTU file, has binary or compressed points or cells, ends too early, has
+  \returns `false` if the file cannot be opened, is no VTU file, has compressed points or cells, ends too early, has
            solid cells that are no tetrahedra, arrays of wrong sizes, coordinates that are not finite or indices out of range
 */
 inline bool read_VTU(const std::string& path, Tetrahedral_mesh& mesh, std::string* message = nullptr)

@@ -113,7 +113,7 @@ std::string read_binary_OFF(std::string_view bytes, bool is_big_endian, bool has
 
 } // namespace
 
-std::string read_OFF(std::string_view text, Polygon_file& file)
+std::string read_OFF(std::string_view text, bool, Polygon_file& file)
 {
   Word_reader reader(text);
   const std::string_view word = reader.word();

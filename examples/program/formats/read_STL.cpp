@@ -100,7 +100,7 @@ std::string read_binary_STL(std::string_view text, Polygon_file& file)
 
 } // namespace
 
-std::string read_STL(std::string_view text, Polygon_file& file)
+std::string read_STL(std::string_view text, bool, Polygon_file& file)
 {
   // Headers of binary files may begin with "solid", too; their length tells.
   const bool is_long_enough = text.size() >= 84;

@@ -6,6 +6,7 @@
 // Author(s)     : The Flip_free_maps authors
 
 // A reader for each format: each returns the empty string, or the reason of a failure. They need not check that vertices exist.
+// Where no texture coordinates are asked for, or none are there, `images` may stay empty.
 
 #ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_READERS_H
 #define FLIP_FREE_MAPS_PROGRAM_FORMATS_READERS_H
@@ -17,10 +18,10 @@
 
 namespace program {
 
-std::string read_OFF(std::string_view text, Polygon_file& file);
-std::string read_OBJ(std::string_view text, Polygon_file& file);
-std::string read_PLY(std::string_view text, Polygon_file& file);
-std::string read_STL(std::string_view text, Polygon_file& file);
+std::string read_OFF(std::string_view text, bool with_images, Polygon_file& file);
+std::string read_OBJ(std::string_view text, bool with_images, Polygon_file& file);
+std::string read_PLY(std::string_view text, bool with_images, Polygon_file& file);
+std::string read_STL(std::string_view text, bool with_images, Polygon_file& file);
 
 } // namespace program
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/atlas/Packing_options.h>
 #include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 #include <CGAL/Flip_free_maps/is_bijective.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 
@@ -92,6 +93,17 @@ Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, cons
 {
   return pack_charts(mesh, uv_map, internal::parameter_or(np, internal::packing_options_tag, Packing_options()));
 }
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for a mesh in flat arrays, as `read_textured_OBJ()` gives it. Charts are the parts that are connected by corners with the same
+/// point and the same image.
+///
+/// \param mesh its triangles must be counterclockwise in the plane, and its indices valid. The texture coordinates of corners are replaced
+///   if the packing is valid, and numbered anew: corners with the same point and the same image share them. Otherwise the mesh is left
+///   untouched.
+/// \param options distances and rotations
+/// \returns the same, also `invalid_option` for an index out of range
+Packing_summary pack_charts(Textured_mesh& mesh, const Packing_options& options = Packing_options());
 
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -65,6 +66,44 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Flat_chart> separate_charts(const std::ve
 }
 
 } // namespace internal
+
+CGAL_FLIP_FREE_MAPS_INLINE Packing_summary pack_charts(Textured_mesh& mesh, const Packing_options& options)
+{
+  Packing_summary summary;
+  summary.status = Status::empty_mesh;
+  summary.message = "the mesh has no faces";
+  if(mesh.triangles.empty())
+    return summary;
+  internal::Corner_numbers<int> numbers;
+  std::vector<std::array<std::int32_t, 3>> elements(mesh.triangles.size());
+  for(std::size_t f = 0; f < elements.size(); ++f)
+    for(int k = 0; k < 3; ++k) {
+      const std::size_t v = static_cast<std::size_t>(mesh.triangles[f][k]);
+      const std::size_t t =
+        f < mesh.texture_triangles.size() ? static_cast<std::size_t>(mesh.texture_triangles[f][k]) : mesh.texture.size();
+      if(v >= mesh.points.size() || t >= mesh.texture.size()) {
+        summary.status = Status::invalid_option;
+        summary.message = "an index is out of range in face number " + std::to_string(f);
+        return summary;
+      }
+      elements[f][k] = numbers(mesh.triangles[f][k], mesh.texture[t][0], mesh.texture[t][1]);
+    }
+  Positions<2> x = numbers.positions();
+  std::vector<internal::Flat_chart> charts = internal::separate_charts(elements, x);
+  internal::pack_flat_charts<std::array<double, 2>>(charts, options, summary);
+  if(!summary.is_valid())
+    return summary;
+  for(const internal::Flat_chart& chart : charts)
+    for(std::size_t e = 0; e < chart.elements.size(); ++e)
+      for(int k = 0; k < 3; ++k)
+        x.col(elements[chart.faces[e]][k]) = chart.x.col(chart.elements[e][k]);
+  mesh.texture.resize(x.cols());
+  for(Eigen::Index i = 0; i < x.cols(); ++i)
+    mesh.texture[i] = {{x(0, i), x(1, i)}};
+  mesh.texture_triangles.assign(elements.begin(), elements.end());
+  return summary;
+}
+
 } // namespace Flip_free_maps
 } // namespace CGAL
 

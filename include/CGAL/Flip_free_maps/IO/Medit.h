@@ -80,7 +80,8 @@ private:
 
   reads points, tetrahedra and triangles from a Medit file in ASCII (`.mesh`, dimension 3).
 
-  References of entities may be missing. Comments, all other sections, and whatever follows `End` are ignored; the line
+  References of entities may be missing. Comments, all other sections but those of other
+  elements with a volume, and whatever follows `End` are ignored; the line
   ends of all systems are understood. The locale has no influence. The cost is linear in the size of the file.
 
   \param path name of the file
@@ -88,7 +89,7 @@ private:
   \param message if not null, receives the reason of a failure with the number of the line, and the empty string on success
 
   \returns `false` if the file cannot be opened, is not a Medit file in ASCII, ends within a section, or has a coordinate that is
-           not a finite number or an index that is out of range. A file without tetrahedra is read without complaint.
+           not a finite number or an index that is out of range, or if it has hexahedra, prisms, pyramids or tetrahedra of second order. A file without tetrahedra is read without complaint.
 */
 inline bool read_Medit(const std::string& path, Tetrahedral_mesh& mesh, std::string* message = nullptr)
 {

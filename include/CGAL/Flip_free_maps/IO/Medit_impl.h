@@ -63,6 +63,16 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Medit_reader::read_section(Word_reader& reader)
     reader.skip_word();
     return keyword == "Tetrahedra" ? read_elements(reader, m_mesh.tetrahedra) : read_elements(reader, m_mesh.triangles);
   }
+  // Deformed without them, the tetrahedra would part from other elements.
+  for(const std::string_view kind : {"Hexahedra", "Prisms", "Pyramids", "TetrahedraP2"})
+    if(keyword == kind) {
+      m_is_skipping = false;
+      reader.skip_word();
+      std::size_t count = 0;
+      if(!reader.read_count(count))
+        return false;
+      return count == 0 || reader.fail_at(line, "elements other than tetrahedra are not supported: " + std::string(kind));
+    }
   // Other sections are skipped word by word, since no number is a keyword.
   const bool is_keyword = std::isalpha(static_cast<unsigned char>(keyword.front())) != 0;
   if(!is_keyword && !m_is_skipping)

@@ -40,6 +40,9 @@ public:
   // Number, from 1, of the physical line on which the current logical line starts.
   long long line() const { return m_line; }
 
+  // Where the next logical line begins in the text.
+  std::size_t position() const { return m_position; }
+
 private:
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\n' || c == '\r'; }
 
@@ -56,18 +59,34 @@ private:
   long long m_next_line = 1;
 };
 
+// The one reader of OBJ files: polygons, with or without texture coordinates.
 class OBJ_reader
 {
 public:
+  enum class Demand
+  {
+    points_only,       // lines vt and what follows the point of a corner are not looked at
+    texture_if_any,    // a corner may have no texture coordinates
+    textured_triangles // every face is a triangle, and every corner has texture coordinates
+  };
+
+  explicit OBJ_reader(Demand demand) : m_demand(demand) {}
+
   // Returns the empty string, or what is wrong with the file.
   std::string read(std::string_view text);
 
-  Textured_mesh& mesh() { return m_mesh; }
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<double, 2>> texture;
+  // Indices into both; `no_texture` where there is none. Without texture coordinates `texture_polygons` stays empty.
+  std::vector<std::vector<std::size_t>> polygons, texture_polygons;
+  std::vector<long long> lines; // of the polygons
+
+  static constexpr std::size_t no_texture = static_cast<std::size_t>(-1);
 
 private:
   static std::string at_line(long long line, const std::string& error) { return "line " + std::to_string(line) + ": " + error; }
 
-  static std::string too_large(const char* kind, int index, std::size_t size);
+  static std::string too_large(const char* kind, std::size_t index, std::size_t size);
 
   template <std::size_t N>
   static std::string read_coordinates(const std::vector<std::string_view>& words, std::vector<std::array<double, N>>& list)
@@ -91,12 +110,15 @@ private:
     return std::string();
   }
 
-  std::string read_triangle(const std::vector<std::string_view>& words);
+  std::string read_polygon(const std::vector<std::string_view>& words);
 
-  static std::string read_index(const char* kind, std::string_view word, std::string_view corner, std::size_t size, int& index);
+  std::string read_texture_index(std::string_view corner, std::size_t& index) const;
 
-  Textured_mesh m_mesh;
-  std::vector<long long> m_lines;
+  static std::string read_index(const char* kind, std::string_view word, std::string_view corner, std::size_t size, std::size_t& index);
+
+  std::string range_error() const;
+
+  Demand m_demand;
 };
 
 // Returns the empty string, or why the mesh cannot be written.
@@ -121,6 +143,10 @@ namespace internal {
 std::string textured_OBJ_text(const Textured_mesh& mesh, const std::string& material_name, double texture_scale);
 
 std::string checkerboard_material_text(const Checkerboard_choice& choice, const std::string& image_name);
+
+// Both files are in the same folder; the layout has the larger side `layout_extent`.
+bool write_checkerboard_material(const std::string& material_path, const std::string& image_path, double layout_extent,
+                                 std::string* message);
 
 } // namespace internal
 
@@ -150,7 +176,7 @@ bool write_textured_OBJ(const std::string& path, const Textured_mesh& mesh, std:
 /// Reads a triangle mesh with texture coordinates from a Wavefront OBJ file.
 ///
 /// The lines `v`, `vt` and `f` are read, all others are ignored, and so are numbers after the third of `v` and the second of `vt`.
-/// A corner of a face is `v/vt` or `v/vt/vn`, with indices from 1, or negative ones that count back from the last element that
+/// A corner of a face is `v/vt`, `v/vt/` or `v/vt/vn`, with indices from 1, or negative ones that count back from the last element that
 /// precedes the face. Comments, line continuation by a backslash and the three conventions for line ends are understood.
 ///
 /// \param path name of the file

@@ -79,72 +79,84 @@ CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::read(std::string_view text)
       continue;
     std::string error;
     if(words[0] == "v")
-      error = read_coordinates(words, m_mesh.points);
-    else if(words[0] == "vt")
-      error = read_coordinates(words, m_mesh.texture);
+      error = read_coordinates(words, points);
+    else if(words[0] == "vt" && m_demand != Demand::points_only)
+      error = read_coordinates(words, texture);
     else if(words[0] == "f") {
-      error = read_triangle(words);
-      m_lines.push_back(tokenizer.line());
+      error = read_polygon(words);
+      lines.push_back(tokenizer.line());
     }
     if(!error.empty())
       return at_line(tokenizer.line(), error);
   }
-
-  // A face may precede the points that it uses, hence the upper bound is tested at the end.
-  for(std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
-    for(int k = 0; k < 3; ++k) {
-      if(std::size_t(m_mesh.triangles[i][k]) >= m_mesh.points.size())
-        return at_line(m_lines[i], too_large("v", m_mesh.triangles[i][k], m_mesh.points.size()));
-      if(std::size_t(m_mesh.texture_triangles[i][k]) >= m_mesh.texture.size())
-        return at_line(m_lines[i], too_large("vt", m_mesh.texture_triangles[i][k], m_mesh.texture.size()));
-    }
-  }
-  return m_mesh.triangles.empty() ? "the file has no triangle" : "";
+  const std::string error = range_error();
+  if(!error.empty() || m_demand != Demand::textured_triangles)
+    return error;
+  return polygons.empty() ? "the file has no triangle" : "";
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::too_large(const char* kind, int index, std::size_t size)
+// A face may precede the points that it uses, hence the upper bound is tested at the end.
+CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::range_error() const
 {
-  return std::string(kind) + " index " + std::to_string(index + 1LL) + " is out of range, the file has " + std::to_string(size) + " '" +
-         kind + "' lines";
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::read_triangle(const std::vector<std::string_view>& words)
-{
-  if(words.size() != 4)
-    return "the face has " + std::to_string(words.size() - 1) + " corners, only triangles are supported";
-
-  std::array<int, 3> triangle;
-  std::array<int, 3> texture_triangle;
-  for(int k = 0; k < 3; ++k) {
-    const std::string_view corner = words[k + 1];
-    const std::size_t first = corner.find('/');
-    const std::size_t second = first == std::string_view::npos ? first : corner.find('/', first + 1);
-    const std::string_view point_word = corner.substr(0, first);
-    std::string_view texture_word;
-    if(first != std::string_view::npos)
-      texture_word = corner.substr(first + 1, second == std::string_view::npos ? second : second - first - 1);
-
-    std::string error = read_index("v", point_word, corner, m_mesh.points.size(), triangle[k]);
-    if(!error.empty())
-      return error;
-    if(second != std::string_view::npos) {
-      long long normal = 0;
-      if(parse_number(corner.substr(second + 1), normal) != std::errc() || normal == 0)
-        return "corner " + quoted_word(corner) + " has no valid vn index";
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+    for(std::size_t k = 0; k < polygons[i].size(); ++k) {
+      if(polygons[i][k] >= points.size())
+        return at_line(lines[i], too_large("v", polygons[i][k], points.size()));
+      if(m_demand == Demand::points_only)
+        continue;
+      const std::size_t t = texture_polygons[i][k];
+      if(t != no_texture && t >= texture.size())
+        return at_line(lines[i], too_large("vt", t, texture.size()));
     }
-    if(texture_word.empty())
-      return "corner " + quoted_word(corner) + " has no texture coordinates (vt index)";
-    error = read_index("vt", texture_word, corner, m_mesh.texture.size(), texture_triangle[k]);
-    if(!error.empty())
-      return error;
-  }
-  m_mesh.triangles.push_back(triangle);
-  m_mesh.texture_triangles.push_back(texture_triangle);
   return std::string();
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::too_large(const char* kind, std::size_t index, std::size_t size)
+{
+  return std::string(kind) + " index " + std::to_string(index + 1) + " is out of range, the file has " + std::to_string(size) + " '" +
+         kind + "' lines";
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::read_polygon(const std::vector<std::string_view>& words)
+{
+  if(m_demand == Demand::textured_triangles && words.size() != 4)
+    return "the face has " + std::to_string(words.size() - 1) + " corners, only triangles are supported";
+
+  std::vector<std::size_t> polygon(words.size() - 1), texture_polygon(m_demand == Demand::points_only ? 0 : words.size() - 1);
+  for(std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::string_view corner = words[k + 1];
+    std::string error = read_index("v", corner.substr(0, corner.find('/')), corner, points.size(), polygon[k]);
+    if(error.empty() && m_demand != Demand::points_only)
+      error = read_texture_index(corner, texture_polygon[k]);
+    if(!error.empty())
+      return error;
+  }
+  polygons.push_back(std::move(polygon));
+  if(m_demand != Demand::points_only)
+    texture_polygons.push_back(std::move(texture_polygon));
+  return std::string();
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::read_texture_index(std::string_view corner, std::size_t& index) const
+{
+  const std::size_t first = corner.find('/');
+  const std::size_t second = first == std::string_view::npos ? first : corner.find('/', first + 1);
+  // Some programs write v/vt/ without a normal.
+  if(second != std::string_view::npos && second + 1 < corner.size()) {
+    long long normal = 0;
+    if(parse_number(corner.substr(second + 1), normal) != std::errc() || normal == 0)
+      return "corner " + quoted_word(corner) + " has no valid vn index";
+  }
+  const std::string_view word =
+    first == std::string_view::npos ? "" : corner.substr(first + 1, second == std::string_view::npos ? second : second - first - 1);
+  if(!word.empty())
+    return read_index("vt", word, corner, texture.size(), index);
+  index = no_texture;
+  return m_demand == Demand::textured_triangles ? "corner " + quoted_word(corner) + " has no texture coordinates (vt index)" : "";
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::read_index(const char* kind, std::string_view word, std::string_view corner,
-                                                              std::size_t size, int& index)
+                                                              std::size_t size, std::size_t& index)
 {
   long long value = 0;
   const std::errc status = parse_number(word, value);
@@ -155,7 +167,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::string OBJ_reader::read_index(const char* kind, 
   if(status != std::errc() || value < 1 || value > (std::numeric_limits<int>::max)())
     return std::string(kind) + " index " + quoted_word(word) + " is out of range, " + std::to_string(size) + " '" + kind +
            "' lines precede this face";
-  index = static_cast<int>(value - 1);
+  index = static_cast<std::size_t>(value - 1);
   return std::string();
 }
 
@@ -263,6 +275,16 @@ CGAL_FLIP_FREE_MAPS_INLINE std::string checkerboard_material_text(const Checkerb
   return text + image_name + '\n';
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE bool write_checkerboard_material(const std::string& material_path, const std::string& image_path,
+                                                            double layout_extent, std::string* message)
+{
+  const Checkerboard_choice choice = choose_checkerboard(layout_extent);
+  const int pixels_per_square = (std::max)(1, 1024 / choice.squares);
+  return write_checkerboard_PNG(image_path, choice.squares * pixels_per_square, choice.squares, message) &&
+         write_whole_file(material_path, checkerboard_material_text(choice, std::filesystem::path(image_path).filename().string()),
+                          message);
+}
+
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
@@ -286,11 +308,9 @@ CGAL_FLIP_FREE_MAPS_INLINE bool write_textured_OBJ(const std::string& path, cons
   const std::string image_name = obj_path.stem().string() + "_checker.png";
   const auto beside = [&](const std::string& file) { return (obj_path.parent_path() / file).string(); };
 
-  const internal::Checkerboard_choice choice = internal::choose_checkerboard(internal::texture_extent(mesh) * texture_scale);
-  const int pixels_per_square = (std::max)(1, 1024 / choice.squares);
   return internal::write_whole_file(path, internal::textured_OBJ_text(mesh, material_name, texture_scale), message) &&
-         write_checkerboard_PNG(beside(image_name), choice.squares * pixels_per_square, choice.squares, message) &&
-         internal::write_whole_file(beside(material_name), internal::checkerboard_material_text(choice, image_name), message);
+         internal::write_checkerboard_material(beside(material_name), beside(image_name), internal::texture_extent(mesh) * texture_scale,
+                                               message);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool read_textured_OBJ(const std::string& path, Textured_mesh& mesh, std::string* message)
@@ -299,11 +319,21 @@ CGAL_FLIP_FREE_MAPS_INLINE bool read_textured_OBJ(const std::string& path, Textu
   if(!internal::read_whole_file(path, text, message))
     return false;
 
-  internal::OBJ_reader reader;
+  internal::OBJ_reader reader(internal::OBJ_reader::Demand::textured_triangles);
   const std::string error = reader.read(text);
   if(!error.empty())
     return internal::fail(message, path + ", " + error);
-  mesh = std::move(reader.mesh());
+  Textured_mesh result;
+  result.points = std::move(reader.points);
+  result.texture = std::move(reader.texture);
+  const auto triangle = [](const std::vector<std::size_t>& polygon) {
+    return std::array<int, 3>{static_cast<int>(polygon[0]), static_cast<int>(polygon[1]), static_cast<int>(polygon[2])};
+  };
+  for(const auto& polygon : reader.polygons)
+    result.triangles.push_back(triangle(polygon));
+  for(const auto& polygon : reader.texture_polygons)
+    result.texture_triangles.push_back(triangle(polygon));
+  mesh = std::move(result);
   return internal::succeed(message);
 }
 

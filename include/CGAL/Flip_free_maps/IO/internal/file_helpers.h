@@ -44,7 +44,10 @@ std::errc parse_number(std::string_view word, Number& value)
   return result.ptr == word.data() + word.size() ? std::errc() : std::errc::invalid_argument;
 }
 
-// Errors that appear only when the last bytes reach the disk are reported by fflush and fclose.
+// Errors that appear only when the last bytes reach the disk are reported by fflush and fclose. The file is closed.
+bool write_open_file(std::FILE* file, const std::string& path, const std::string& content, std::string* message);
+
+// The file appears, or replaces another one, in one step: what fails or is interrupted leaves what was there before.
 bool write_whole_file(const std::string& path, const std::string& content, std::string* message);
 
 bool read_whole_file(const std::string& path, std::string& content, std::string* message);

@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -48,20 +49,52 @@ CGAL_FLIP_FREE_MAPS_INLINE std::string quoted_word(std::string_view word)
   return result + (word.size() > 40 ? "...'" : "'");
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool write_whole_file(const std::string& path, const std::string& content, std::string* message)
+CGAL_FLIP_FREE_MAPS_INLINE bool write_open_file(std::FILE* file, const std::string& path, const std::string& content, std::string* message)
 {
-  errno = 0;
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if(file == nullptr)
-    return fail(message, "cannot open " + path + " for writing: " + std::strerror(errno));
-
   bool is_written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
   is_written = (std::fflush(file) == 0) && is_written;
   const int write_error = errno;
   is_written = (std::fclose(file) == 0) && is_written;
-  if(!is_written)
-    return fail(message, "cannot write " + path + ": " + std::strerror(write_error != 0 ? write_error : errno));
-  return succeed(message);
+  return is_written || fail(message, "cannot write " + path + ": " + std::strerror(write_error != 0 ? write_error : errno));
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool write_whole_file(const std::string& path, const std::string& content, std::string* message)
+{
+  namespace fs = std::filesystem;
+  errno = 0;
+  std::error_code error;
+  // A link is kept, and the file that it leads to is replaced.
+  const fs::path link_target = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
+  const std::string target = link_target.empty() ? path : link_target.string();
+  const fs::file_status status = fs::status(target, error);
+  std::FILE* file = nullptr;
+  if(fs::exists(status) && !fs::is_regular_file(status)) { // a device, or a pipe
+    file = std::fopen(target.c_str(), "wb");
+    if(file == nullptr)
+      return fail(message, "cannot open " + path + " for writing: " + std::strerror(errno));
+    return write_open_file(file, path, content, message) && succeed(message);
+  }
+
+  std::string temporary;
+  for(int i = 0; file == nullptr && i < 1000; ++i) {
+    errno = 0;
+    temporary = target + "." + std::to_string(i) + ".tmp";
+    file = std::fopen(temporary.c_str(), "wbx");
+    if(file == nullptr && errno != EEXIST)
+      break;
+  }
+  if(file == nullptr)
+    return fail(message, "cannot open " + path + " for writing: " + std::strerror(errno));
+  bool is_done = write_open_file(file, path, content, message);
+  if(is_done && fs::exists(status))
+    fs::permissions(temporary, status.permissions(), error);
+  if(is_done) {
+    fs::rename(temporary, target, error);
+    is_done = !error || fail(message, "cannot write " + path + ": " + error.message());
+  }
+  if(!is_done)
+    fs::remove(temporary, error);
+  return is_done && succeed(message);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool read_whole_file(const std::string& path, std::string& content, std::string* message)

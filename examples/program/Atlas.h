@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+// Texture coordinates of polygons as triangles, which can be measured, drawn and packed.
+
+#ifndef FLIP_FREE_MAPS_PROGRAM_ATLAS_H
+#define FLIP_FREE_MAPS_PROGRAM_ATLAS_H
+
+#include "files.h"
+
+#include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace program {
+
+struct Atlas
+{
+  FFM::Textured_mesh mesh;                         // the triangles that have an area in space; corners of the same point and image share it
+  std::vector<std::size_t> polygons;               // of which polygon each triangle is
+  std::vector<std::array<std::size_t, 3>> corners; // of which of its corners
+  std::size_t without_images = 0, without_area = 0; // polygons
+};
+
+// Triangulates polygons so that all of their images are positive, where that is possible. Faces without texture coordinates are left out.
+Atlas make_atlas(const Surface& surface, const Corner_images& images);
+
+// Enters the atlas' texture coordinates. Corners of triangles without area keep what they have.
+void copy_images(const Atlas& atlas, Corner_images& images);
+
+// The parts that are connected by shared texture coordinates, as numbers of triangles.
+std::vector<std::vector<std::size_t>> islands(const Atlas& atlas);
+
+// Whether the image of a triangle is positive, negative, or has no area, exactly.
+CGAL::Orientation image_orientation(const FFM::Textured_mesh& mesh, std::size_t triangle);
+
+} // namespace program
+
+#endif // FLIP_FREE_MAPS_PROGRAM_ATLAS_H

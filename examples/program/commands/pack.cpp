@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#include "../commands.h"
+#include "../layout.h"
+#include "../report.h"
+
+#include <CGAL/Flip_free_maps/measure_distortion.h>
+#include <CGAL/Flip_free_maps/pack_charts.h>
+
+#include <cstdio>
+#include <iostream>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+class Pack : public Command
+{
+public:
+  explicit Pack(CLI::App& application)
+  {
+    app =
+      application.add_subcommand("pack", "Pack the islands of existing texture coordinates into the unit square, without flattening anew");
+    app->add_option("input", m_input, "OBJ or PLY with texture coordinates")->required();
+    add_surface_output(*app, m_output, "the mesh with its islands in the unit square");
+    app->add_option("--margin", m_options.margin, "least distance between islands, in parts of the square's side")->capture_default_str();
+    app->add_flag("--no-rotation", m_no_rotation, "do not turn islands other than by quarters");
+    app->add_option("--json", m_limits.json, "write the summary");
+    app->add_flag("--quiet", m_limits.quiet, "print nothing but errors");
+    add_picture_options(*app, m_pictures);
+  }
+
+  int run() override
+  {
+    m_files = files_of(m_output);
+    m_files.insert(m_files.end(), {{"--json", m_limits.json}, {"--svg", m_pictures.svg}, {"--png", m_pictures.png}});
+    std::string reason = why_not_written(m_output);
+    if(reason.empty())
+      reason = why_files_collide({{"the input", m_input}}, m_files);
+    if(!reason.empty())
+      return refuse(reason);
+    FFM::Packing_summary summary;
+    run_guarded(
+      m_limits, [&] { pack(summary); },
+      [&](Status status, const std::string& message) {
+        summary.status = status;
+        summary.message = message;
+      });
+    std::ostringstream text;
+    text << summary;
+    return report(m_limits, summary.status, summary.message, summary, text.str());
+  }
+
+private:
+  void pack(FFM::Packing_summary& summary)
+  {
+    check_folders(m_files);
+    Surface surface;
+    read_surface(m_input, true, surface);
+    Atlas atlas = make_atlas(surface, surface.images);
+    check(!atlas.mesh.triangles.empty(), m_input + ": no face with an area has texture coordinates");
+    std::vector<double> distortion;
+    FFM::measure_distortion(atlas.mesh, &distortion);
+    // Outlines are all that counts, hence flipped triangles are handed over turned round, and those without an area not at all.
+    FFM::Textured_mesh packed = atlas.mesh;
+    std::vector<std::size_t> given;
+    packed.triangles.clear();
+    packed.texture_triangles.clear();
+    for(std::size_t i = 0; i < atlas.mesh.triangles.size(); ++i) {
+      const CGAL::Orientation orientation = image_orientation(atlas.mesh, i);
+      if(orientation == CGAL::COLLINEAR)
+        continue;
+      given.push_back(i);
+      packed.triangles.push_back(atlas.mesh.triangles[i]);
+      packed.texture_triangles.push_back(atlas.mesh.texture_triangles[i]);
+      if(orientation == CGAL::RIGHT_TURN) {
+        std::swap(packed.triangles.back()[1], packed.triangles.back()[2]);
+        std::swap(packed.texture_triangles.back()[1], packed.texture_triangles.back()[2]);
+      }
+    }
+    FFM::Packing_options options = m_options;
+    options.rotate = !m_no_rotation;
+    summary = FFM::pack_charts(packed, options);
+    if(!summary.is_valid())
+      return;
+    std::vector<std::size_t> owner(atlas.mesh.texture.size(), atlas.mesh.texture.size());
+    for(std::size_t i = 0; i < given.size(); ++i) {
+      const bool is_turned = packed.triangles[i] != atlas.mesh.triangles[given[i]];
+      for(int k = 0; k < 3; ++k)
+        owner[atlas.mesh.texture_triangles[given[i]][k]] = packed.texture_triangles[i][is_turned ? (3 - k) % 3 : k];
+    }
+    for(std::size_t t = 0; t < owner.size(); ++t)
+      if(owner[t] < packed.texture.size())
+        atlas.mesh.texture[t] = packed.texture[owner[t]];
+    Corner_images images = surface.images;
+    copy_images(atlas, images);
+    char title[200];
+    std::snprintf(title, sizeof title, "%s   %d islands", m_input.substr(m_input.rfind('/') + 1).c_str(), summary.charts);
+    write_pictures(m_pictures, title, atlas.mesh, distortion);
+    write_surface(m_output, surface, images);
+  }
+
+  Method_arguments m_limits;
+  Picture_arguments m_pictures;
+  FFM::Packing_options m_options;
+  Surface_output m_output;
+  std::vector<File_argument> m_files;
+  std::string m_input;
+  bool m_no_rotation = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> pack_command(CLI::App& app) { return std::make_unique<Pack>(app); }
+
+} // namespace program
