@@ -600,7 +600,10 @@ printf 'OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 1\n0 1 0\n4 0 1 2 3\n4 3 2 1 0\n3 0 1 3\n' > two_edges.off
 printf 'OFF\n6 2 0\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n3 2 4 5\n' > crossing.off
 printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0.5 1 0\n0.5 0 0\n0.5 -1 0\n3 0 3 1\n3 0 1 2\n3 0 4 3\n' > cap.off
-for file in two_sided two_edges crossing cap; do
+# Points that are collinear in decimals only: inside, and at the border.
+printf 'OFF\n5 4 0\n0 0 0\n0.3 0.6 0.9\n0.1 0.2 0.3\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 3\n3 2 1 3\n3 1 0 4\n' > decimals.off
+printf 'OFF\n4 3 0\n0 0 0\n0.3 0.6 0.9\n0.1 0.2 0.3\n1 0 0\n3 0 1 2\n3 0 2 3\n3 2 1 3\n' > decimals_border.off
+for file in two_sided two_edges crossing cap decimals decimals_border; do
   atlas $file.off --repair
 done
 atlas two_sided.off --repair
