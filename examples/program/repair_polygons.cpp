@@ -7,6 +7,8 @@
 
 #include "repair_polygons.h"
 
+#include <CGAL/Flip_free_maps/elements/internal/rest_shape.h>
+
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
@@ -59,6 +61,68 @@ void replace_polygons(const Mesh& mesh, Surface& surface)
   }
 }
 
+Eigen::Vector3d place(const Mesh& mesh, Vertex v)
+{
+  const Kernel::Point_3& p = mesh.point(v);
+  return Eigen::Vector3d(p.x(), p.y(), p.z());
+}
+
+// Whether maps can be measured on a face: what is collinear in decimals is not in binary, but the area is rounding.
+bool has_area(const Mesh& mesh, Mesh::Face_index face)
+{
+  Mesh::Halfedge_index h = mesh.halfedge(face);
+  Eigen::Matrix2d inverse;
+  double area = 0;
+  for(int k = 0; k < 3; ++k, h = mesh.next(h))
+    if(!FFM::internal::planar_rest_shape(place(mesh, mesh.source(h)), place(mesh, mesh.target(h)), place(mesh, mesh.target(mesh.next(h))),
+                                         inverse, area))
+      return false;
+  return true;
+}
+
+// Removes a face by the collapse of its shortest edge or the flip of its longest; at a border it is taken away. `false` if
+// nothing of that leaves a surface.
+bool remove_thin_face(Mesh& mesh, Mesh::Face_index face)
+{
+  const auto length = [&](Mesh::Halfedge_index h) { return (place(mesh, mesh.target(h)) - place(mesh, mesh.source(h))).stableNorm(); };
+  const Mesh::Halfedge_index h = mesh.halfedge(face);
+  const auto range = std::minmax({h, mesh.next(h), mesh.next(mesh.next(h))},
+                                 [&](Mesh::Halfedge_index a, Mesh::Halfedge_index b) { return length(a) < length(b); });
+  const Mesh::Halfedge_index shortest = range.first, longest = range.second, opposite = mesh.opposite(longest);
+  if(length(shortest) <= 1e-12 * length(longest)) {
+    if(!CGAL::Euler::does_satisfy_link_condition(mesh.edge(shortest), mesh))
+      return false;
+    CGAL::Euler::collapse_edge(mesh.edge(shortest), mesh);
+    return true;
+  }
+  if(mesh.is_border(opposite)) {
+    CGAL::Euler::remove_face(longest, mesh);
+    return true;
+  }
+  const Vertex v = mesh.target(mesh.next(longest)), w = mesh.target(mesh.next(opposite));
+  if(v == w || mesh.halfedge(v, w) != Mesh::null_halfedge())
+    return false;
+  CGAL::Euler::flip_edge(longest, mesh);
+  return true;
+}
+
+// Removes faces in which the exact test finds an area, though it has no correct digit. A flip may make another one of its
+// neighbour; those that are left after some rounds go round in circles. Returns how many steps it took.
+std::size_t remove_thin_faces(Mesh& mesh)
+{
+  std::size_t removed = 0;
+  for(int round = 0; round < 10; ++round) {
+    const std::size_t before = removed;
+    const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+    for(const Mesh::Face_index face : faces)
+      if(!mesh.is_removed(face) && !has_area(mesh, face))
+        removed += remove_thin_face(mesh, face);
+    if(removed == before)
+      break;
+  }
+  return removed;
+}
+
 } // namespace
 
 std::string repair_polygons(Surface& surface)
@@ -92,6 +156,7 @@ std::string repair_polygons(Surface& surface)
   std::vector<Mesh::Face_index> degenerate;
   PMP::degenerate_faces(mesh, std::back_inserter(degenerate));
   PMP::remove_degenerate_faces(mesh);
+  const std::size_t thin = remove_thin_faces(mesh);
   mesh.collect_garbage();
   replace_polygons(mesh, surface);
   // Diagonals of two polygons may be one edge.
@@ -107,9 +172,9 @@ std::string repair_polygons(Surface& surface)
                            step(points_merged, points_split, "points of several sheets were doubled") +
                            step(polygons_merged, faces_triangulated, "polygons were triangulated") +
                            (fans == 0 ? "" : ", " + std::to_string(fans) + " of them as fans, since they cross themselves") +
-                           (degenerate.empty() ? ""
-                                               : ", " + std::to_string(degenerate.size()) +
-                                                   " faces without area were removed by collapsing or flipping their edges") +
+                           (degenerate.size() + thin == 0 ? ""
+                                                          : ", " + std::to_string(degenerate.size() + thin) +
+                                                              " faces without area were removed by collapsing or flipping their edges") +
                            step(faces_triangulated, polygons.size(), "faces");
   return text.empty() ? "nothing had to be repaired" : "repaired: " + text.substr(2);
 }

@@ -214,6 +214,42 @@ BOOST_AUTO_TEST_CASE(solids)
   BOOST_TEST((result == before));
 }
 
+// A line of handles may turn around itself by any angle: it is left alone.
+BOOST_AUTO_TEST_CASE(handles_on_a_line)
+{
+  const FFM::Tetrahedral_mesh solid = as_mesh(block());
+  const auto check = [&](const std::array<int, 2>& vertices, const Triple& shift) {
+    std::vector<std::pair<int, Triple>> handles;
+    for(const int v : vertices)
+      handles.emplace_back(v, Triple{solid.points[v][0] + shift[0], solid.points[v][1] + shift[1], solid.points[v][2] + shift[2]});
+    std::vector<Triple> result;
+    const FFM::Summary summary = FFM::deform_volume(solid.points, solid.tetrahedra, handles, result);
+    BOOST_TEST_CONTEXT("the handles " << vertices[0] << " and " << vertices[1])
+    BOOST_TEST_REQUIRE(summary.converged(), summary);
+    BOOST_TEST(std::abs(summary.energy - 1) <= 1e-6);
+    for(const auto& handle : handles)
+      BOOST_TEST((result[handle.first] == handle.second));
+  };
+  for(const auto& t : solid.tetrahedra)
+    for(int k = 0; k < 4; ++k)
+      for(int l = 0; l < k; ++l)
+        for(const Triple& shift : {Triple{0, 0, 0}, Triple{0.3, -2, 1}})
+          check({t[k], t[l]}, shift);
+}
+
+BOOST_AUTO_TEST_CASE(stretched_edge)
+{
+  // Handles at an edge of a pyramid of two tetrahedra, one of them its tip.
+  const std::vector<Triple> points{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {1, 1, 1}, {2, 0.5, 0.5}};
+  const std::vector<std::array<int, 4>> tetrahedra{{0, 1, 3, 4}, {0, 3, 2, 4}};
+  const std::vector<std::pair<int, Triple>> handles{{0, {1, 0, 0}}, {4, {2.2, 0.5, 0.7}}};
+  std::vector<Triple> result;
+  const FFM::Summary summary = FFM::deform_volume(points, tetrahedra, handles, result);
+  BOOST_TEST_REQUIRE(summary.converged(), summary);
+  BOOST_TEST(summary.energy < 1.1);
+  BOOST_TEST((result[4] == handles[1].second));
+}
+
 BOOST_AUTO_TEST_CASE(maps_with_flips)
 {
   const Sheet sheet;

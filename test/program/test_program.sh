@@ -603,7 +603,10 @@ printf 'OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 1\n0 1 0\n4 0 1 2 3\n4 3 2 1 0\n3 0 1 3\n' > two_edges.off
 printf 'OFF\n6 2 0\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n3 2 4 5\n' > crossing.off
 printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0.5 1 0\n0.5 0 0\n0.5 -1 0\n3 0 3 1\n3 0 1 2\n3 0 4 3\n' > cap.off
-for file in two_sided two_edges crossing cap; do
+# Points that are collinear in decimals only: inside, and at the border.
+printf 'OFF\n5 4 0\n0 0 0\n0.3 0.6 0.9\n0.1 0.2 0.3\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 3\n3 2 1 3\n3 1 0 4\n' > decimals.off
+printf 'OFF\n4 3 0\n0 0 0\n0.3 0.6 0.9\n0.1 0.2 0.3\n1 0 0\n3 0 1 2\n3 0 2 3\n3 2 1 3\n' > decimals_border.off
+for file in two_sided two_edges crossing cap decimals decimals_border; do
   atlas $file.off --repair
 done
 atlas two_sided.off --repair
@@ -881,6 +884,15 @@ expect 0 deform labelled.mesh --handles index_3.txt -o labelled_out.mesh --toler
 check "labels are kept" test "$(awk 'NF == 4 { print "point", $4; next } { print }' labelled_out.mesh)" = \
   "$(awk 'NF == 4 { print "point", $4; next } { print }' labelled.mesh)"
 check "and so are places" test "$(vertices_of labelled_out.mesh)" = "$(vertices_of one_bar.mesh)"
+expect 0 deform bar.mesh --handles index_3.txt -o plain.node
+awk 'NR == 1 { print "# points\n" $1, 3, 1, 1; next } { print $1 + 1, $2, $3, $4, NR / 8, NR % 3, "# " NR }' \
+  <(head -n 1 plain.node; vertices_of bar.mesh | awk '{ print NR - 1, $0 }') > labelled.node
+awk 'NR == 1 { print $1, 4, 1; next } { print $1 + 1, $2 + 1, $3 + 1, $4 + 1, $5 + 1, NR % 5 }' plain.ele > labelled.ele
+expect 0 deform labelled.ele --handles index_3.txt -o labelled_out.node --tolerance 1e-6
+check "regions are kept" cmp -s labelled.ele labelled_out.ele
+check "attributes and markers are kept" test "$(awk 'NF > 5 { $2 = $3 = $4 = "" } { print }' labelled_out.node)" = \
+  "$(awk 'NF > 5 { $2 = $3 = $4 = "" } { print }' labelled.node)"
+check "and so are places of TetGen files" test "$(awk 'NF > 5 { print $2, $3, $4 }' labelled_out.node)" = "$(vertices_of one_bar.mesh)"
 sed 's/^Tetrahedra/Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nTetrahedra/' bar.mesh > mixed.mesh
 expect 17 deform mixed.mesh --handles index_3.txt -o bad.mesh
 check "other elements are named" grep -q 'Hexahedra' err.txt

@@ -9,9 +9,9 @@
 
 #include "../splitting.h"
 
-#include "../formats/Medit_text.h"
 #include "../formats/VTU.h"
 #include "../formats/volume_files.h"
+#include "../formats/volume_text.h"
 #include "../pictures/Surface_picture.h"
 #include <CGAL/Flip_free_maps/deform_volume.h>
 #include <CGAL/Flip_free_maps/domains/Map_measure.h>
@@ -64,6 +64,28 @@ void draw(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& before
   options.label = "distortion";
   std::string message;
   check(FFM::write_surface_PNG(arguments.pictures.png, {rest, image}, options, &message), message);
+}
+
+// Writes the input's file with other points, where the output is of its format. `false` for formats of which nothing is kept.
+bool write_back(const Deform_arguments& arguments, const std::vector<std::array<double, 3>>& points)
+{
+  const auto read = [](const std::string& path) {
+    std::string text, message;
+    check(FFM::internal::read_whole_file(path, text, &message), message);
+    return text;
+  };
+  const auto is_tetgen = [](const std::string& path) { return small_extension(path) == ".node" || small_extension(path) == ".ele"; };
+  if(small_extension(arguments.input) == ".mesh" && small_extension(arguments.output) == ".mesh")
+    write_text(arguments.output, Medit_with_points(read(arguments.input), points));
+  else if(is_tetgen(arguments.input) && is_tetgen(arguments.output)) {
+    const auto [node_input, element_input] = FFM::internal::tetgen_file_names(arguments.input);
+    const auto [node_output, element_output] = FFM::internal::tetgen_file_names(arguments.output);
+    const std::string elements = read(element_input);
+    write_text(node_output, Tetgen_with_points(read(node_input), points));
+    write_text(element_output, elements);
+  } else
+    return false;
+  return true;
 }
 
 } // namespace
@@ -150,16 +172,11 @@ void write_solid(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh&
   FFM::Tetrahedral_mesh deformed = mesh;
   for(std::size_t i = 0; i < result.size(); ++i)
     deformed.points[i] = {result[i].x(), result[i].y(), result[i].z()};
-  if(!arguments.output.empty()) {
-    const std::string extension = small_extension(arguments.output);
-    if(extension == ".mesh" && small_extension(arguments.input) == extension) {
-      std::string text;
-      check(FFM::internal::read_whole_file(arguments.input, text, &message), message);
-      write_text(arguments.output, Medit_with_points(text, deformed.points));
-    } else
-      check(extension == ".vtu" ? FFM::write_VTU(arguments.output, deformed, {}, {{"symmetric_dirichlet_energy", 1, distortion}}, &message)
-                                : FFM::write_volume(arguments.output, deformed, &message),
-            message);
+  if(!arguments.output.empty() && !write_back(arguments, deformed.points)) {
+    const bool is_vtu = small_extension(arguments.output) == ".vtu";
+    check(is_vtu ? FFM::write_VTU(arguments.output, deformed, {}, {{"symmetric_dirichlet_energy", 1, distortion}}, &message)
+                 : FFM::write_volume(arguments.output, deformed, &message),
+          message);
   }
   if(!arguments.pictures.png.empty())
     draw(arguments, mesh, deformed, distortion, summary.energy);

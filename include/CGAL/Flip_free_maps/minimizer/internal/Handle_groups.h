@@ -93,6 +93,19 @@ private:
     return result;
   }
 
+  // The rotation that maximises the product with the decomposed matrix; where many do, the one with the least angle.
+  static Matrix<3> nearest_rotation(const Signed_svd<D>& svd)
+  {
+    // Handles on a line, or such targets, say nothing of a rotation around it: what there is of it is rounding.
+    if constexpr(D == 3) {
+      if(svd.s[1] <= RANK_TOLERANCE * svd.s[0])
+        return Eigen::Quaterniond::FromTwoVectors(svd.V.col(0), svd.U.col(0)).toRotationMatrix();
+    }
+    Matrix<3> rotation = Matrix<3>::Identity();
+    rotation.template topLeftCorner<D, D>() = svd.U * svd.V.transpose();
+    return rotation;
+  }
+
   // The rigid motion that leads the group nearest to its targets.
   static Motion motion(const std::vector<std::int32_t>& group, const Positions<D>& x, const Positions<D>& targets)
   {
@@ -114,15 +127,14 @@ private:
       return result;
     Signed_svd<D> svd;
     signed_svd(covariance, svd);
-    Matrix<3> rotation = Matrix<3>::Identity();
-    rotation.template topLeftCorner<D, D>() = svd.U * svd.V.transpose();
-    const Eigen::AngleAxisd turn(rotation);
+    const Eigen::AngleAxisd turn(nearest_rotation(svd));
     result.angle = std::abs(turn.angle());
     result.axis = turn.angle() < 0 ? Vector<3>(-turn.axis()) : Vector<3>(turn.axis());
     return result;
   }
 
-  static constexpr double LARGEST_TURN = 0.5; // in one round, in radians
+  static constexpr double LARGEST_TURN = 0.5;     // in one round, in radians
+  static constexpr double RANK_TOLERANCE = 1e-12; // the square of what a line may be wide, in parts of its length
 
   std::vector<std::vector<std::int32_t>> m_groups;
 };
