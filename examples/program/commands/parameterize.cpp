@@ -63,16 +63,12 @@ public:
     add_method_options(*app, m_method);
     app
       ->add_option(
-        "--start", m_start,
+        "--start", m_start.start,
         "Tutte embedding, from coarse to fine, or an OBJ of the same mesh with the texture coordinates to begin with; 'auto' is from "
         "coarse to fine for the default method on large meshes, and either where the other fails")
       ->capture_default_str();
-    app->add_option("--border", m_border, "border of the start")
-      ->check(CLI::IsMember({"circle", "triangle", "square", "octagon"}))
-      ->capture_default_str();
-    app->add_option("--weights", m_weights, "weights of the start")
-      ->check(CLI::IsMember({"uniform", "mean-value", "cotangent"}))
-      ->capture_default_str();
+    app->add_option("--border", m_start.border, "border of the start")->check(CLI::IsMember(border_names()))->capture_default_str();
+    app->add_option("--weights", m_start.weights, "weights of the start")->check(CLI::IsMember(weight_names()))->capture_default_str();
     app->add_flag("--flaps", m_place_flaps, "begin with border vertices of a single triangle at their optimum");
     app->add_option("--fixed", m_fixed, "file with the number of a vertex per line, from 0: these keep their places in the start");
     app->add_flag("--fix-border", m_fix_border, "the vertices of all borders keep their places in the start");
@@ -125,18 +121,8 @@ private:
   {
     const Mesh& mesh = patch.triangles.mesh;
     FFM::Start_options& start = traits.start;
-    start.weights = m_weights == "mean-value"  ? FFM::Tutte_weights::mean_value
-                    : m_weights == "cotangent" ? FFM::Tutte_weights::cotangent
-                                               : FFM::Tutte_weights::uniform;
+    set_start(m_start, m_fix_border || !m_fixed.empty(), start);
     start.place_flaps = m_place_flaps;
-    const int corners = m_border == "triangle" ? 3 : m_border == "octagon" ? 8 : 0;
-    for(int i = 0; i < corners; ++i)
-      start.polygon.push_back({std::cos(2 * CGAL_PI * i / corners), std::sin(2 * CGAL_PI * i / corners)});
-    start.border = corners > 0 ? FFM::Border_shape::polygon : m_border == "square" ? FFM::Border_shape::square : FFM::Border_shape::circle;
-    if(m_start == "tutte" || (m_start == "auto" && (m_fix_border || !m_fixed.empty())))
-      start.multilevel_size = -1;
-    else if(m_start == "multilevel")
-      start.multilevel_size = 0;
 
     std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
     if(!m_fixed.empty())
@@ -160,9 +146,9 @@ private:
   FFM::Summary parameterize(const Patch& patch, const Traits& traits, const Parameters& constraints) const
   {
     const Mesh& mesh = patch.triangles.mesh;
-    if(m_start == "auto" || m_start == "tutte" || m_start == "multilevel")
+    if(m_start.start == "auto" || m_start.start == "tutte" || m_start.start == "multilevel")
       return FFM::parameterize(mesh, patch.border, patch.uv, traits, constraints);
-    const std::vector<Kernel::Point_2> given = vertex_texture(m_start, patch.triangles);
+    const std::vector<Kernel::Point_2> given = vertex_texture(m_start.start, patch.triangles);
     return FFM::parameterize(
       mesh, patch.border, patch.uv, traits,
       FFM::parameters::start_map(boost::make_iterator_property_map(given.begin(), get(boost::vertex_index, mesh)), constraints));
@@ -170,7 +156,8 @@ private:
 
   Method_arguments m_method;
   Layout_arguments m_layout;
-  std::string m_start = "auto", m_border = "circle", m_weights = "uniform", m_fixed, m_soft;
+  Start_choice m_start;
+  std::string m_fixed, m_soft;
   bool m_place_flaps = false, m_fix_border = false, m_bijective = false;
 };
 
