@@ -73,6 +73,12 @@ public:
     return [this](const Report& report) { return may_go_on(report); };
   }
 
+  // Whether something was raised, which ends the run.
+  bool has_error() const { return m_error.has_value(); }
+
+  // Keeps what was raised elsewhere. Called with the lock.
+  void keep(const py::error_already_set& error) { m_error.emplace(error); }
+
   // Raises what was raised during the run.
   void raise()
   {

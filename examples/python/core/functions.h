@@ -49,6 +49,10 @@ py::tuple map_volume(const py::array& points, const py::array& tetrahedra, const
                      const py::dict& given, const py::object& progress);
 void add_deformations(py::module_& module);
 
+// minimize.cpp
+py::tuple minimize(const py::array& start, const py::array& elements, const py::array& rest, const py::object& energy,
+                   const py::object& term, const py::dict& given, const py::object& progress);
+
 } // namespace python
 
 #endif // FLIP_FREE_MAPS_PYTHON_FUNCTIONS_H

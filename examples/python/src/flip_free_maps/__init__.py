@@ -32,6 +32,7 @@ from ._functions import (
     is_bijective,
     map_volume,
     measure,
+    minimize,
     pack,
     parameterize,
     parameterize_with_seams,

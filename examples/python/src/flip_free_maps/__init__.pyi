@@ -5,7 +5,7 @@
 #
 # Author(s)     : The Flip_free_maps authors
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from os import PathLike
 from typing import Any, Literal, NamedTuple, overload
 
@@ -281,6 +281,28 @@ def map_volume(
     start: ArrayLike | None = ...,
     energy: str = ...,
     polish: bool = ...,
+    criterion: str | None = ...,
+    tolerance: float | None = ...,
+    max_iterations: int | None = ...,
+    time_limit: float | None = ...,
+    progress: _Progress | None = ...,
+) -> Deformed: ...
+
+def minimize(
+    points: ArrayLike,
+    elements: _Faces,
+    rest: ArrayLike,
+    *,
+    energy: str | Callable[[_Floats, bool], Any] = ...,
+    term: Callable[[_Floats, bool], Any] | None = ...,
+    stencils: Sequence[ArrayLike] | None = ...,
+    fixed: ArrayLike | None = ...,
+    method: str | None = ...,
+    energy_parameter: float | None = ...,
+    preconditioner: str | None = ...,
+    reference: str | None = ...,
+    acceleration: str | None = ...,
+    linear_solver: str | None = ...,
     criterion: str | None = ...,
     tolerance: float | None = ...,
     max_iterations: int | None = ...,

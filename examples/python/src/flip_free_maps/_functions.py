@@ -525,3 +525,86 @@ def map_volume(points, tetrahedra, places, *, boundary=None, start=None, energy=
         given["start"] = _as_long_as(_checks.numbers(start, 3, "start"), p, "start")
     result, account = _core.map_volume(p, t, held, _targets(places, held, 3), given, watched(progress))
     return Deformed(result, finished(account))
+
+
+def _three(result, name):
+    if not isinstance(result, (tuple, list)) or len(result) != 3:
+        raise ValueError(f"{name} with derivatives must return a tuple of its value, its gradient and its Hessian")
+    return tuple(result)
+
+
+def _energy_function(energy):
+    """For the compiled part: what it returns has the form that is asked for."""
+    return lambda s, derivatives: _three(energy(s, True), "energy") if derivatives else energy(s, False)
+
+
+def _term_function(term):
+    def function(x, derivatives):
+        if not derivatives:
+            return float(term(x, False))
+        value, gradient, hessian = _three(term(x, True), "term")
+        if hessian is not None:
+            i, j, blocks = hessian
+            i, j = (_checks.indices(np.reshape(k, (-1, 1)), 1, "the vertices of the term's Hessian").ravel() for k in (i, j))
+            hessian = (i, j, blocks)
+        return value, gradient, hessian
+
+    return function
+
+
+def minimize(points, elements, rest, *, energy="symmetric-dirichlet", term=None, stencils=None, fixed=None, method=None,
+             energy_parameter=None, preconditioner=None, reference=None, acceleration=None, linear_solver=None, criterion=None,
+             tolerance=None, max_iterations=None, time_limit=None, progress=None):
+    """Minimises the mean energy of a map of triangles or tetrahedra, and a term, which may both be functions of Python.
+
+    No element flips on the way.
+
+    Parameters
+    ----------
+    points : (n, 2) array for triangles, (n, 3) array for tetrahedra
+        The map to begin with, without flips: triangles are counterclockwise.
+    elements : (f, 3) or (f, 4) array of integers
+    rest : (n, 3) array, or (n, 2) array for triangles
+        The shape at rest, against which distortion is measured.
+    energy : str or function
+        What is minimised: a name, as for `parameterize`, or a function `energy(s, derivatives)` of the signed singular values
+        s (f, d), descending, of all elements. It returns the values (f,), and if `derivatives` is true a tuple of these, the
+        first derivatives (f, d) and the second ones (f, d, d). Its mean, weighted by the measures of the elements at rest, is
+        minimised, by Newton's method with Hessians that are projected to the positive semidefinite ones. It must be symmetric
+        in its arguments; elements that are not positive count as infinite.
+    term : function
+        Added to the mean energy: `term(x, derivatives)` of all points x (n, d) returns a number, and if `derivatives` is true
+        a tuple (value, gradient (n, d), Hessian), where the Hessian is None or a tuple of arrays (i, j, blocks): a positive
+        semidefinite approximation, as blocks (k, d, d) of rows of the vertex i and columns of j. Blocks of j and i are implied.
+    stencils : list of lists of vertices
+        Vertices that blocks of the term couple; single vertices and vertices of one element need not be there.
+    fixed : (k,) array of integers, or (n,) array of bool
+        Vertices that stay where they are.
+    method, energy_parameter, ..., progress
+        As for `parameterize`; for energies that have a name.
+
+    Returns
+    -------
+    Deformed
+        (points, summary): `summary.energy` includes the term, `summary.energy_of_terms` what functions contribute.
+    """
+    t = _elements(elements)
+    dimension = t.shape[1] - 1
+    p = _checks.numbers(points, dimension, "points")
+    r = _as_long_as(_checks.numbers(rest, (2, 3) if dimension == 2 else 3, "rest"), p, "rest")
+    arguments = dict(locals())
+    if callable(energy):
+        for name in ("method", "energy_parameter", "preconditioner", "reference", "acceleration"):
+            if arguments[name] is not None:
+                raise _checks.InvalidOption(f"{name} is for energies that have a name")
+        arguments["energy"] = None
+    if term is not None and not callable(term):
+        raise TypeError("term must be a function")
+    given = _checks.method(arguments)
+    if fixed is not None:
+        given["fixed"] = _checks.vertices(fixed, len(p), "fixed")
+    if stencils is not None:
+        given["stencils"] = [_checks.vertices(stencil, len(p), "stencils").ravel().tolist() for stencil in stencils]
+    functions = (_energy_function(energy) if callable(energy) else None, None if term is None else _term_function(term))
+    result, account = _core.minimize(p, t, _in_space(r), *functions, given, watched(progress))
+    return Deformed(result, finished(account))
