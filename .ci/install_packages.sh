@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing for a purpose. Asks nothing and does nothing when all are there.
 #
-# usage: install_packages.sh tests|quickstart
+# usage: install_packages.sh tests|quickstart|python
 
 set -euo pipefail
 
@@ -11,7 +11,8 @@ common=(cmake g++ make pkg-config libcgal-dev libeigen3-dev libboost-dev libsuit
 case "${1:-}" in
   tests)      packages=("${common[@]}" libopenmesh-dev doxygen graphviz) ;;
   quickstart) packages=("${common[@]}" libcgal-demo) ;;
-  *)          echo "usage: $0 tests|quickstart" >&2; exit 2 ;;
+  python)     packages=("${common[@]}" pybind11-dev python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-pip) ;;
+  *)          echo "usage: $0 tests|quickstart|python" >&2; exit 2 ;;
 esac
 
 if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then

@@ -16,8 +16,6 @@
 #include <CGAL/Flip_free_maps/core/compiled_splitting.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_map_traits.h>
 
-#include <algorithm>
-
 namespace program {
 
 // Limits and the observer are those of `traits.options`.
@@ -28,15 +26,6 @@ inline FFM::Splitting_map_traits<FFM::Any_map_traits> splitting_traits(const Met
   if(arguments.tolerance >= 0)
     options.relative_tolerance = arguments.tolerance;
   return FFM::Splitting_map_traits<FFM::Any_map_traits>(traits, options);
-}
-
-// The limits hold for each of the methods that remove flips; those of the polish are set by `set_options()`.
-template <typename RepairOptions>
-void set_limits(const Method_arguments& arguments, RepairOptions& options)
-{
-  options.splitting.max_iterations = (std::min)(options.splitting.max_iterations, arguments.max_iterations);
-  if(arguments.time_limit > 0)
-    options.splitting.max_seconds = options.foldover_free.max_seconds = arguments.time_limit;
 }
 
 } // namespace program

@@ -35,16 +35,12 @@ public:
     add_method_options(*app, m_method);
     app
       ->add_option(
-        "--start", m_start,
+        "--start", m_start.start,
         "Tutte embedding, from coarse to fine, or an OBJ or PLY of the same mesh with the texture coordinates to begin with; 'auto' is from "
         "coarse to fine for the default method on large meshes, and either where the other fails")
       ->capture_default_str();
-    app->add_option("--border", m_border, "border of the start")
-      ->check(CLI::IsMember({"circle", "triangle", "square", "octagon"}))
-      ->capture_default_str();
-    app->add_option("--weights", m_weights, "weights of the start")
-      ->check(CLI::IsMember({"uniform", "mean-value", "cotangent"}))
-      ->capture_default_str();
+    app->add_option("--border", m_start.border, "border of the start")->check(CLI::IsMember(border_names()))->capture_default_str();
+    app->add_option("--weights", m_start.weights, "weights of the start")->check(CLI::IsMember(weight_names()))->capture_default_str();
     app->add_flag("--flaps", m_place_flaps, "begin with border vertices of a single triangle at their optimum");
     app->add_option("--fixed", m_fixed,
                     "file with the number of a vertex of the input per line, from 0: these keep their places in the start");
@@ -65,7 +61,8 @@ public:
       reason = why_not_written(m_layout.output);
     if(reason.empty())
       reason = why_files_collide(
-        {{"the input", m_layout.input}, {"--fixed", m_fixed}, {"--soft", m_soft}, {"--start", is_named_start() ? "" : m_start}}, m_files);
+        {{"the input", m_layout.input}, {"--fixed", m_fixed}, {"--soft", m_soft}, {"--start", is_named_start() ? "" : m_start.start}},
+        m_files);
     if(!reason.empty())
       return refuse(reason);
     return run_reported(
@@ -73,7 +70,7 @@ public:
   }
 
 private:
-  bool is_named_start() const { return m_start == "auto" || m_start == "tutte" || m_start == "multilevel"; }
+  bool is_named_start() const { return m_start.start == "auto" || m_start.start == "tutte" || m_start.start == "multilevel"; }
 
   void flatten(FFM::Summary& summary)
   {
@@ -106,18 +103,8 @@ private:
   {
     const Mesh& mesh = patch.triangles.mesh;
     FFM::Start_options& start = traits.start;
-    start.weights = m_weights == "mean-value"  ? FFM::Tutte_weights::mean_value
-                    : m_weights == "cotangent" ? FFM::Tutte_weights::cotangent
-                                               : FFM::Tutte_weights::uniform;
+    set_start(m_start, m_fix_border || !m_fixed.empty(), start);
     start.place_flaps = m_place_flaps;
-    const int corners = m_border == "triangle" ? 3 : m_border == "octagon" ? 8 : 0;
-    for(int i = 0; i < corners; ++i)
-      start.polygon.push_back({std::cos(2 * CGAL_PI * i / corners), std::sin(2 * CGAL_PI * i / corners)});
-    start.border = corners > 0 ? FFM::Border_shape::polygon : m_border == "square" ? FFM::Border_shape::square : FFM::Border_shape::circle;
-    if(m_start == "tutte" || (m_start == "auto" && (m_fix_border || !m_fixed.empty())))
-      start.multilevel_size = -1;
-    else if(m_start == "multilevel")
-      start.multilevel_size = 0;
 
     std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
     if(!m_fixed.empty())
@@ -144,7 +131,7 @@ private:
     const Mesh& mesh = patch.triangles.mesh;
     if(is_named_start())
       return FFM::parameterize(mesh, patch.border, patch.uv, traits, constraints);
-    const std::vector<Kernel::Point_2> given = vertex_texture(m_start, patch.triangles);
+    const std::vector<Kernel::Point_2> given = vertex_texture(m_start.start, patch.triangles);
     return FFM::parameterize(
       mesh, patch.border, patch.uv, traits,
       FFM::parameters::start_map(boost::make_iterator_property_map(given.begin(), get(boost::vertex_index, mesh)), constraints));
@@ -153,7 +140,8 @@ private:
   Method_arguments m_method;
   Layout_arguments m_layout;
   std::vector<File_argument> m_files;
-  std::string m_start = "auto", m_border = "circle", m_weights = "uniform", m_fixed, m_soft;
+  Start_choice m_start;
+  std::string m_fixed, m_soft;
   bool m_place_flaps = false, m_fix_border = false, m_bijective = false;
 };
 

@@ -161,8 +161,8 @@ private:
     set_limits(m_limits, traits.options);
     Corner_images images;
     summary = FFM::unwrap(surface.points, surface.polygons, images,
-                          CGAL::parameters::edge_is_constrained_map(Edge_set(seams))
-                            .combine(FFM::parameters::unwrap_options(options, FFM::parameters::map_traits(traits))));
+                          FFM::parameters::unwrap_options(
+                            options, FFM::parameters::map_traits(traits, CGAL::parameters::edge_is_constrained_map(Edge_set(seams)))));
     if(!is_quiet)
       std::fputc('\n', stderr);
     if(!summary.is_valid())

@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_REPAIR_MAP_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_REPAIR_MAP_IMPL_H
 
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/repair_map.h>
 
 namespace CGAL {
@@ -15,6 +16,8 @@ namespace Flip_free_maps {
 
 template Summary repair_map<2, Flip_free_map_traits<>>(const Simplicial_domain<2>&, Positions<2>&, const Position_constraints<2>&,
                                                        const Repair_options&, const Flip_free_map_traits<>&);
+template Summary repair_map<3, Any_map_traits>(const Simplicial_domain<3>&, Positions<3>&, const Position_constraints<3>&,
+                                               const Repair_options&, const Any_map_traits&);
 
 } // namespace Flip_free_maps
 } // namespace CGAL

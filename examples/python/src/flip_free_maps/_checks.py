@@ -1,0 +1,135 @@
+# Copyright (c) 2026 The Flip_free_maps authors.
+# This file is part of Flip_free_maps, a CGAL-style package.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s)     : The Flip_free_maps authors
+
+"""Arguments as arrays of the types that the compiled part takes; without a copy where they are that already."""
+
+import numpy as np
+
+from . import _core
+from ._errors import InvalidOption, NotTriangular
+
+NAMES = _core.names()
+# The splitting scheme is what repair() and map_volume() use anyway.
+NAMES["method"].remove("splitting")
+
+
+def _shape(array):
+    return "(" + ", ".join(map(str, array.shape)) + ("," if array.ndim == 1 else "") + ")"
+
+
+def numbers(values, columns, name):
+    """Floating-point numbers of shape (n, columns); `columns` may be a tuple of numbers that will do."""
+    array = np.asarray(values)
+    columns = (columns,) if isinstance(columns, int) else columns
+    if array.ndim != 2 or array.shape[1] not in columns:
+        wanted = " or ".join(f"(n, {c})" for c in columns)
+        raise ValueError(f"{name} must have the shape {wanted}, not {_shape(array)}")
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must be numbers, not {array.dtype}")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def _integers(array, name):
+    if array.size == 0:
+        return np.zeros(array.shape, dtype=np.int64)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name} must be integers, not {array.dtype}")
+    if array.dtype == np.uint64 and int(array.max()) > np.iinfo(np.int64).max:
+        raise InvalidOption(f"{name} has the index {array.max()}, which is out of range")
+    return np.ascontiguousarray(array, dtype=np.int64)
+
+
+def indices(values, columns, name):
+    """Indices of shape (n, columns)."""
+    array = np.asarray(values)
+    if array.shape == (0,):
+        array = array.reshape(0, columns)
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise ValueError(f"{name} must have the shape (n, {columns}), not {_shape(array)}")
+    return _integers(array, name)
+
+
+def _refuse_polygon(sizes):
+    face = int(np.flatnonzero(sizes != 3)[0])
+    raise NotTriangular(f"face number {face} has {int(sizes[face])} corners; triangulate the mesh first")
+
+
+def triangles(faces, name="faces"):
+    """Triangles from an array of shape (n, 3), a list of polygons, or a pair (values, offsets) of arrays, in which
+    polygon i has the corners values[offsets[i]:offsets[i + 1]]."""
+    if isinstance(faces, tuple) and len(faces) == 2 and all(isinstance(a, np.ndarray) and a.ndim == 1 for a in faces):
+        values, offsets = (_integers(a, name) for a in faces)
+        sizes = np.diff(offsets)
+        if offsets.size == 0 or offsets[0] != 0 or offsets[-1] != values.size or (sizes < 0).any():
+            raise ValueError(f"the offsets of {name} must ascend from 0 to the number of values")
+        if (sizes != 3).any():
+            _refuse_polygon(sizes)
+        return values.reshape(-1, 3)
+    if not isinstance(faces, np.ndarray) and hasattr(faces, "__len__") and len(faces) > 0:
+        try:
+            sizes = np.array([len(face) for face in faces])
+        except TypeError:
+            sizes = np.array([3])
+        if (sizes != sizes[0]).any():
+            _refuse_polygon(sizes)
+    array = np.asarray(faces)
+    if array.ndim == 2 and array.shape[0] > 0 and array.shape[1] > 3:
+        _refuse_polygon(np.full(array.shape[0], array.shape[1]))
+    return indices(array, 3, name)
+
+
+def pairs(values, name):
+    """Pairs of indices; none for None."""
+    return np.zeros((0, 2), dtype=np.int64) if values is None else indices(values, 2, name)
+
+
+def vertices(values, number_of_points, name):
+    """Numbers of vertices, or a mask over all of them, of shape (k, 1)."""
+    array = np.asarray(values)
+    if array.ndim != 1:
+        raise ValueError(f"{name} must have the shape (k,), not {_shape(array)}")
+    if array.dtype == bool:
+        if array.size != number_of_points:
+            raise ValueError(f"{name} is a mask of {array.size} vertices, but there are {number_of_points} points")
+        array = np.flatnonzero(array)
+    array = _integers(array, name)
+    outside = (array < 0) | (array >= number_of_points)
+    if outside.any():
+        raise InvalidOption(f"{name} has the vertex {array[outside][0]}, but there are {number_of_points} points")
+    return array.reshape(-1, 1)
+
+
+def choice(argument, value, names=None):
+    """One of the names that there are."""
+    names = NAMES[argument] if names is None else names
+    if value not in names:
+        raise InvalidOption(f"{argument} must be one of {', '.join(map(repr, names))}, not {value!r}")
+    return value
+
+
+def method(arguments):
+    """The options of a method, out of the local variables of a function that are not None."""
+    given = {}
+    for argument in ("method", "energy", "preconditioner", "reference", "acceleration", "linear_solver", "criterion"):
+        if arguments.get(argument) is not None:
+            given[argument] = choice(argument, arguments[argument])
+    for argument, least in (("tolerance", 0.0), ("energy_parameter", None), ("time_limit", None)):
+        value = arguments.get(argument)
+        if value is None:
+            continue
+        value = float(value)
+        if not (value > 0 if least is None else value >= least):
+            raise InvalidOption(f"{argument} must be " + ("positive" if least is None else "at least 0") + f", not {value}")
+        given[argument] = value
+    if arguments.get("max_iterations") is not None:
+        given["max_iterations"] = int(arguments["max_iterations"])
+    return given
+
+
+def chosen(arguments, *names):
+    """Those of the named local variables of a function that are not None."""
+    return {name: arguments[name] for name in names if arguments[name] is not None}
