@@ -16,6 +16,7 @@
 #include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
 #include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/for_each_index.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
@@ -23,10 +24,6 @@
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -353,13 +350,7 @@ private:
     report_progress();
     std::vector<Flat_piece> flat(pieces.size());
     const auto flatten_one = [&](std::size_t i) { flatten(pieces[i], flat[i]); };
-#ifdef CGAL_LINKED_WITH_TBB
-    if(pieces.size() > 1)
-      tbb::parallel_for(std::size_t(0), pieces.size(), flatten_one);
-    else
-#endif
-      for(std::size_t i = 0; i < pieces.size(); ++i)
-        flatten_one(i);
+    for_each_index<typename Traits::Concurrency_tag>(pieces.size(), flatten_one);
     for(std::size_t i = 0; i < pieces.size(); ++i)
       if(!decide(pieces[i], flat[i]))
         return false;
