@@ -22,6 +22,13 @@ def sheet(cells=12):
     return np.stack([x, y, z], axis=1), np.concatenate([lower, upper])
 
 
+def quads(cells=12):
+    """The sheet as quadrangles."""
+    points, faces = sheet(cells)
+    lower, upper = faces[:cells * cells], faces[cells * cells:]
+    return points, np.column_stack([lower, upper[:, 2]])
+
+
 def sphere(subdivisions=2):
     """An octahedron, subdivided."""
     points = [(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
@@ -92,6 +99,16 @@ def flips(elements, x):
     return count
 
 
+def areas(x, values, offsets):
+    """Twice the oriented areas of planar polygons, in exact arithmetic."""
+    exact = [[Fraction(float(c)) for c in row] for row in x]
+    result = []
+    for first, last in zip(offsets[:-1], offsets[1:]):
+        corners = [exact[v] for v in values[first:last]]
+        result.append(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(corners, corners[1:] + corners[:1])))
+    return result
+
+
 def is_atlas_of(faces, vertices, atlas_faces):
-    """Whether the triangles of an atlas are those of a mesh, corner by corner."""
+    """Whether the polygons of an atlas are those of a mesh, corner by corner."""
     return np.array_equal(np.asarray(vertices)[atlas_faces], faces)

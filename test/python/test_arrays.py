@@ -37,6 +37,7 @@ def calls():
     flat = points[:, :2]
     moved = flat * 1.25
     yield "unwrap", points, faces, lambda p, f: ffm.unwrap(p, f)[:4]
+    yield "polygons", *meshes.quads(4), lambda p, f: ffm.unwrap(p, f)[:4]
     yield "parameterize", points, faces, lambda p, f: ffm.parameterize(p, f)[:1]
     yield "repair", points, faces, lambda p, f: ffm.repair(p, f, moved)[:1]
     yield "measure", points, faces, lambda p, f: [ffm.measure(p, f, flat).energy]
@@ -116,11 +117,37 @@ def test_polygons_that_are_triangles():
     points, faces = meshes.sheet(4)
     expected = ffm.unwrap(points, faces)
     offsets = np.arange(0, 3 * len(faces) + 1, 3)
-    for given in ((faces.ravel(), offsets), (faces.ravel().astype(np.uint32), offsets.astype(np.int32)), faces.tolist(),
-                  [tuple(face) for face in faces.tolist()], tuple(map(tuple, faces.tolist()))):
-        assert np.array_equal(ffm.unwrap(points, given).uv, expected.uv)
+    for given in ((faces.ravel(), offsets), (faces.ravel().astype(np.uint32), offsets.astype(np.int32))):
+        atlas = ffm.unwrap(points, given)
+        assert np.array_equal(atlas.uv, expected.uv) and np.array_equal(atlas.faces[0].reshape(-1, 3), expected.faces)
+        assert np.array_equal(atlas.faces[1], offsets) and not np.shares_memory(atlas.faces[1], given[1])
+        assert ffm.is_bijective(atlas.faces, atlas.uv)
+    for given in (faces.tolist(), [tuple(face) for face in faces.tolist()], tuple(map(tuple, faces.tolist())), list(faces)):
+        atlas = ffm.unwrap(points, given)
+        assert np.array_equal(atlas.uv, expected.uv) and np.array_equal(atlas.faces, expected.faces)
     # Two triangles in a tuple are no pair of values and offsets.
     assert ffm.unwrap(points, ([0, 1, 6], [0, 6, 5])).faces.shape == (2, 3)
+
+
+def test_polygons_of_several_sizes():
+    points, _ = meshes.sheet(4)
+    mixed = [[0, 1, 6], [0, 6, 5], [1, 2, 7, 6], [2, 3, 9, 8, 7]]
+    values, offsets = np.concatenate(mixed), np.array([0, 3, 6, 10, 15])
+    expected = ffm.unwrap(points, (values, offsets))
+    for given in (mixed, tuple(map(tuple, mixed)), [np.array(face, dtype=np.uint16) for face in mixed],
+                  (values.astype(np.uint64), offsets.astype(np.uint8))):
+        atlas = ffm.unwrap(points, given)
+        assert np.array_equal(atlas.uv, expected.uv) and np.array_equal(atlas.charts, expected.charts)
+        assert all(np.array_equal(a, b) and a.dtype == np.int64 for a, b in zip(atlas.faces, expected.faces))
+        assert np.array_equal(atlas.vertices[atlas.faces[0]], values) and np.array_equal(atlas.faces[1], offsets)
+        assert atlas.corners.shape == (15, 2)
+    for bad, kind in (([[0, 1, 6], [0, 1.5, 6, 5]], TypeError), ([[0, 1, 6], ["a", "b"]], TypeError),
+                      ([[0, 1, 6], [0, 6, 5, 25]], ffm.InvalidOption), ([[0, 1, 6], [0, 6, 5, -1]], ffm.InvalidOption)):
+        with pytest.raises(kind):
+            ffm.unwrap(points, bad)
+    for bad in ([0, 3], [1, 3, 6, 10], [0, 6, 3, 15], []):
+        with pytest.raises(ValueError, match="offsets"):
+            ffm.unwrap(points, (values, np.array(bad, dtype=int)))
 
 
 def test_other_polygons_are_refused():
@@ -129,14 +156,14 @@ def test_other_polygons_are_refused():
     flat = np.concatenate(mixed)
     for given in (mixed, (flat, np.array([0, 3, 6, 10]))):
         with pytest.raises(ffm.NotTriangular, match="face number 2 has 4 corners") as error:
-            ffm.unwrap(points, given)
+            ffm.parameterize(points, given)
         assert error.value.status == "not_triangular"
     for given in (np.array([[0, 1, 6, 5]]), [[0, 1, 6, 5]], (np.array([0, 1, 6, 5]), np.array([0, 4]))):
         with pytest.raises(ffm.NotTriangular, match="face number 0 has 4 corners"):
-            ffm.unwrap(points, given)
+            ffm.parameterize(points, given)
     for offsets in ([0, 3], [1, 3, 6, 10], [0, 6, 3, 10], []):
         with pytest.raises(ValueError, match="offsets"):
-            ffm.unwrap(points, (flat, np.array(offsets, dtype=int)))
+            ffm.parameterize(points, (flat, np.array(offsets, dtype=int)))
 
 
 def test_not_a_number():

@@ -26,8 +26,8 @@ def write_obj(path, points, faces, uv=None):
     path.write_text("\n".join(lines) + "\n")
 
 
-def read_corners(path, number_of_faces):
-    """The texture coordinates of the corners of each face."""
+def read_corners_of_polygons(path):
+    """The texture coordinates of the corners of each face: a list of lists."""
     texture, corners = [], []
     for line in path.read_text().splitlines():
         words = line.split()
@@ -35,6 +35,12 @@ def read_corners(path, number_of_faces):
             texture.append([float(word) for word in words[1:3]])
         elif words and words[0] == "f":
             corners.append([texture[int(word.split("/")[1]) - 1] for word in words[1:]])
+    return corners
+
+
+def read_corners(path, number_of_faces):
+    """The same of triangles, as an array."""
+    corners = read_corners_of_polygons(path)
     assert len(corners) == number_of_faces
     return np.array(corners)
 
@@ -56,6 +62,25 @@ def test_unwrap(program, tmp_path, mesh):
         assert expected.keys() == fields.keys()
         for name in ("status", "message", "energy", "scale", "occupancy", "seam_edges", "seam_length", "number_of_charts"):
             assert fields[name] == expected[name]
+
+
+def test_unwrap_polygons(program, tmp_path):
+    points, faces = meshes.quads(12)
+    # Polygons of three, four and five corners, a fin on an edge, a face of two places, and one that is turned round.
+    given = faces.tolist()
+    given[3] = given[3][::-1]
+    given[20:21] = [given[20][:3], [given[20][0], *given[20][2:]]]
+    points = np.concatenate([points, [(points[0] + points[1]) / 2, [0.4, 0.3, 2]]])
+    given[0].insert(1, len(points) - 2)
+    given += [[40, 41, len(points) - 1], [50, 50, 51]]
+    seams = [[56, 57], [57, 58]]
+    (tmp_path / "seams").write_text("".join("%d %d\n" % tuple(edge) for edge in seams))
+    write_obj(tmp_path / "in.obj", points, given)
+    run(program, "unwrap", tmp_path / "in.obj", "-o", tmp_path / "out.obj", "--seams", tmp_path / "seams")
+    atlas = ffm.unwrap(points, given, seams=seams)
+    expected = [corner for polygon in read_corners_of_polygons(tmp_path / "out.obj") for corner in polygon]
+    assert np.array_equal(np.array(expected), atlas.corners)
+    assert atlas.summary.parted_edges > 0 and atlas.summary.faces_without_area > 0
 
 
 @pytest.mark.parametrize("options", [{}, {"method": "slim"}, {"energy": "amips", "max_iterations": 5}, {"bijective": True},

@@ -72,6 +72,74 @@ def test_seams_of_unwrap():
     assert ffm.unwrap(points, faces, features=seams).summary.flips == 0
 
 
+def test_unwrap_polygons():
+    points, faces = meshes.quads(8)
+    atlas = ffm.unwrap(points, faces)
+    assert atlas.faces.shape == (64, 4) and atlas.corners.shape == (64, 4, 2) and atlas.summary.faces == 64
+    assert meshes.is_atlas_of(faces, atlas.vertices, atlas.faces)
+    corners, offsets = atlas.faces.ravel(), np.arange(0, 257, 4)
+    assert min(meshes.areas(atlas.uv, corners, offsets)) > 0
+    assert atlas.charts.shape == (64,) and np.array_equal(np.unique(atlas.charts), np.arange(len(atlas.summary.charts)))
+    # A prism, whose top and bottom are hexagons that are not convex.
+    ring = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]], dtype=float)
+    prism = np.concatenate([np.column_stack([ring, np.full(6, z)]) for z in (0.0, 1.0)])
+    sides = [[k, (k + 1) % 6, 6 + (k + 1) % 6, 6 + k] for k in range(6)]
+    given = [list(range(5, -1, -1)), list(range(6, 12)), *sides]
+    atlas = ffm.unwrap(prism, given)
+    corners, offsets = atlas.faces
+    assert np.array_equal(np.diff(offsets), [6, 6, 4, 4, 4, 4, 4, 4])
+    assert np.array_equal(atlas.vertices[corners], np.concatenate(given))
+    areas = np.array([float(a) / 2 for a in meshes.areas(atlas.uv, corners, offsets)]) / atlas.summary.scale**2
+    # All faces are planar: their images are isometric.
+    assert areas == pytest.approx([3, 3, 2, 1, 1, 1, 1, 2], rel=1e-3)
+    cut = ffm.unwrap(prism, given, seams=[[0, 1], [6, 7]], features=[[0, 5]], max_distortion=math.inf)
+    for ends in ((0, 1), (6, 7)):
+        images = [frozenset(corners[f][k] for k in range(len(given[f])) if given[f][k] in ends) for f in range(8)
+                  for corners in [np.split(cut.faces[0], cut.faces[1][1:-1])] if set(ends) <= set(given[f])]
+        assert len(images) == 2 and images[0] != images[1]
+    # A diagonal is no edge.
+    with pytest.raises(ffm.InvalidOption, match="no edge from 0 to 7"):
+        ffm.unwrap(prism, given, seams=[[0, 7]])
+    with pytest.raises(ffm.NotTriangular):
+        ffm.unwrap(prism, given, strict=True)
+    html = atlas._repr_html_()
+    assert html.endswith("</svg>") and html.count("M") >= 18
+
+
+def test_surfaces_that_are_not_manifold():
+    points, faces = meshes.sheet(4)
+    count = len(faces)
+    # A fin on the edge from 6 to 7, a face twice, one without area, and one with two places.
+    fin = np.concatenate([points, [[0.4, 0.3, 2]]])
+    for more, status, parted, flat, left_out in (([[6, 7, 25]], "non_manifold", 1, 0, 0), (faces[:1], "non_manifold", None, 0, 0),
+                                                 ([[6, 7, 7]], "non_manifold", 0, 1, 1)):
+        given = np.concatenate([faces, more])
+        atlas = ffm.unwrap(fin, given)
+        summary = atlas.summary
+        assert summary.status == "success" and summary.flips == 0 and summary.faces == count + 1
+        assert parted is None or summary.parted_edges == parted
+        assert summary.faces_without_area == flat and summary.first_faces_without_area == [count] * flat
+        assert meshes.is_atlas_of(given, atlas.vertices, atlas.faces) and (atlas.charts < 0).sum() == left_out
+        kept = atlas.faces[atlas.charts >= 0]
+        assert meshes.flips(kept, atlas.uv) == 0 and ffm.is_bijective(kept, atlas.uv)
+        with pytest.raises(ffm.Error) as error:
+            ffm.unwrap(fin, given, strict=True)
+        assert error.value.status in (status, "degenerate_rest_element")
+    flipped = faces.copy()
+    flipped[5] = flipped[5, ::-1]
+    atlas = ffm.unwrap(points, flipped)
+    assert atlas.summary.parted_edges == 3 and meshes.flips(atlas.faces, atlas.uv) == 0
+    with pytest.raises(ffm.NonManifold):
+        ffm.unwrap(points, flipped, strict=True)
+    collapsed = points.copy()
+    collapsed[0] = collapsed[1]
+    atlas = ffm.unwrap(collapsed, faces)
+    assert atlas.summary.faces_without_area == 1 and atlas.charts[0] == -1 and atlas.charts[1:].min() == 0
+    # Points at the same place are one.
+    soup, numbers = points[faces].reshape(-1, 3), np.arange(3 * count).reshape(-1, 3)
+    assert np.array_equal(ffm.unwrap(soup, numbers).corners, ffm.unwrap(points, faces).corners)
+
+
 def test_parameterize():
     points, faces = meshes.sheet()
     uv, summary = ffm.parameterize(points, faces)
@@ -262,7 +330,9 @@ def test_failures_carry_their_status():
         (lambda: ffm.unwrap(bent, sheet_faces), "non_finite_input", ffm.NonFiniteInput),
         (lambda: ffm.parameterize(bent, sheet_faces), "non_finite_input", ffm.NonFiniteInput),
         (lambda: ffm.parameterize(sheet, twice), "non_manifold", ffm.NonManifold),
-        (lambda: ffm.unwrap(flat, sheet_faces), "degenerate_rest_element", ffm.DegenerateRestElement),
+        (lambda: ffm.parameterize(flat, sheet_faces), "degenerate_rest_element", ffm.DegenerateRestElement),
+        (lambda: ffm.unwrap(flat, sheet_faces, strict=True), "degenerate_rest_element", ffm.DegenerateRestElement),
+        (lambda: ffm.unwrap(flat, [[0, 1, 1], [2, 3, 2]]), "degenerate_rest_element", ffm.DegenerateRestElement),
         (lambda: ffm.unwrap(sheet, np.zeros((0, 3), dtype=int)), "empty_mesh", ffm.EmptyMesh),
         (lambda: ffm.unwrap(sheet, []), "empty_mesh", ffm.EmptyMesh),
         (lambda: ffm.unwrap(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int32)), "empty_mesh", ffm.EmptyMesh),

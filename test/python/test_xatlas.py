@@ -70,6 +70,38 @@ def test_sheets_that_only_touch_stay_apart():
     assert meshes.flips(indices, uvs) == 0
 
 
+def surfaces_of_all_kinds():
+    points, faces = meshes.sheet(4)
+    fin = np.concatenate([points, [[0.4, 0.3, 2]]])
+    flipped = faces.copy()
+    flipped[5] = flipped[5, ::-1]
+    # Four cells of a flat ring touch in the middle.
+    flat = points * [1, 1, 0]
+    touching = np.concatenate([faces[:16].reshape(4, 4, 3), faces[16:].reshape(4, 4, 3)], axis=2)
+    keep = np.ones((4, 4), dtype=bool)
+    keep[1, 1] = keep[2, 2] = False
+    yield "fin", fin, np.concatenate([faces, [[6, 7, 25]]])
+    yield "twice", points, np.concatenate([faces, faces])
+    yield "flipped", points, flipped
+    yield "without area", fin, np.concatenate([[[3, 3, 4]], faces, [[6, 7, 7], [0, 1, 2]]])
+    yield "touching", flat, touching[keep].reshape(-1, 3)
+
+
+@pytest.mark.parametrize("texels", [0, 100])
+@pytest.mark.parametrize("name, points, faces", list(surfaces_of_all_kinds()), ids=[entry[0] for entry in surfaces_of_all_kinds()])
+def test_surfaces_of_all_kinds(name, points, faces, texels):
+    options = xatlas.PackOptions()
+    options.texels_per_unit = texels
+    atlas = xatlas.Atlas()
+    atlas.add_mesh(points, faces)
+    atlas.generate(pack_options=options)
+    vmapping, indices, uvs = atlas[0]
+    assert meshes.is_atlas_of(faces, vmapping, indices) and uvs.dtype == np.float32
+    assert uvs.min() >= 0 and uvs.max() <= 1
+    kept = indices[[len(np.unique(points[face], axis=0)) == 3 for face in faces]]
+    assert meshes.flips(kept, uvs) == 0 and xatlas.is_bijective(kept, uvs)
+
+
 def test_atlas_of_several_meshes():
     atlas = xatlas.Atlas()
     assert (len(atlas), atlas.mesh_count, atlas.chart_count, atlas.atlas_count, atlas.width, atlas.height) == (0, 0, 0, 0, 0, 0)

@@ -5,6 +5,7 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
+#include "../Edge_set.h"
 #include "../commands.h"
 #include "../layout.h"
 #include "../repair_polygons.h"
@@ -13,15 +14,11 @@
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 #include <CGAL/Flip_free_maps/unwrap.h>
 
-#include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <map>
 #include <memory>
-#include <set>
 #include <sstream>
 #include <unistd.h>
 #include <utility>
@@ -36,27 +33,6 @@ const std::map<std::string, Branches> branches{{"none", Branches::none},
                                                {"extremities", Branches::extremities},
                                                {"curvature-peaks", Branches::curvature_peaks},
                                                {"farthest-points", Branches::farthest_points}};
-
-// Whether an edge, given by two numbers of points, is among some.
-class Edge_set
-{
-public:
-  using key_type = std::pair<std::size_t, std::size_t>;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-
-  explicit Edge_set(const Vertex_pairs& edges) : m_edges(std::make_shared<std::set<key_type>>())
-  {
-    for(const auto& edge : edges)
-      m_edges->insert(std::minmax(edge.first, edge.second));
-  }
-
-  friend bool get(const Edge_set& set, const key_type& edge) { return set.m_edges->count(edge) != 0; }
-
-private:
-  std::shared_ptr<std::set<key_type>> m_edges;
-};
 
 class Unwrap : public Command
 {

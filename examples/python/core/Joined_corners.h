@@ -5,12 +5,12 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Meshes whose vertices are joined from the corners of triangles.
+// Meshes whose vertices are joined from the corners of polygons.
 
 #ifndef FLIP_FREE_MAPS_PYTHON_JOINED_CORNERS_H
 #define FLIP_FREE_MAPS_PYTHON_JOINED_CORNERS_H
 
-#include "Rows.h"
+#include <CGAL/Flip_free_maps/domains/internal/Surface_view.h>
 
 #include <array>
 #include <cstddef>
@@ -18,6 +18,8 @@
 #include <vector>
 
 namespace python {
+
+namespace FFM = CGAL::Flip_free_maps;
 
 // What files and graphics cards want of a surface with seams: vertices of which each has one point and one image. Corners that
 // share both are one vertex; vertices have the order in which corners meet them.
@@ -27,19 +29,19 @@ struct Joined_corners
   using Image = std::array<Number, 2>;
 
   std::vector<std::int64_t> vertices; // which point each has
-  std::vector<std::array<std::int64_t, 3>> faces;
+  std::vector<std::int64_t> faces;    // the vertices of one polygon after another
   std::vector<Image> uv;
 
-  // `images[f][k]` is the image of corner k of triangle f.
-  template <typename Corners>
-  void join(const Triangles& triangles, std::size_t number_of_points, const Corners& images)
+  // `images[f][k]` is the image of corner k of polygon f.
+  template <typename PolygonRange, typename Corners>
+  void join(const PolygonRange& polygons, std::size_t number_of_points, const Corners& images)
   {
     // The vertices of a point form a chain, most of which are short.
     std::vector<std::int64_t> first(number_of_points, -1), next;
-    faces.resize(triangles.size());
-    for(std::size_t f = 0; f < triangles.size(); ++f)
-      for(int k = 0; k < 3; ++k) {
-        const std::int64_t point = triangles[f][k];
+    for(std::size_t f = 0; f < polygons.size(); ++f) {
+      const auto& polygon = polygons[f];
+      for(std::size_t k = 0; k < FFM::internal::number_of_corners(polygon); ++k) {
+        const std::int64_t point = polygon[k];
         const Image& image = images[f][k];
         std::int64_t v = first[point];
         while(v >= 0 && uv[v] != image)
@@ -51,8 +53,9 @@ struct Joined_corners
           next.push_back(first[point]);
           first[point] = v;
         }
-        faces[f][k] = v;
+        faces.push_back(v);
       }
+    }
   }
 };
 

@@ -21,14 +21,13 @@ namespace python {
 namespace py = pybind11;
 
 // surfaces.cpp
-py::tuple unwrap(const py::array& points, const py::array& triangles, const py::array& representatives, const py::array& seams,
+py::tuple unwrap(const py::array& points, const py::array& values, const py::array& offsets, const py::array& seams,
                  const py::array& features, const py::dict& given, bool is_single_precision, const py::object& progress);
 py::tuple pack(const py::array& triangles, const py::array& uv, const py::dict& given, bool is_single_precision);
 py::tuple cut_to_disk(const py::array& points, const py::array& triangles, const py::array& seams, const py::dict& given);
 py::tuple cut_along(const py::array& triangles, std::int64_t number_of_points, const py::array& seams);
 py::tuple measure(const py::array& points, const py::array& triangles, const py::array& uv);
 py::tuple is_bijective(const py::array& triangles, const py::array& uv);
-py::array weld(const py::array& points);
 
 // maps.cpp
 py::tuple parameterize(const py::array& points, const py::array& triangles, const py::dict& given, const py::object& progress);

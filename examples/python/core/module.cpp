@@ -46,7 +46,6 @@ PYBIND11_MODULE(_core, module)
   module.def("cut_along", &python::cut_along);
   module.def("measure", &python::measure);
   module.def("is_bijective", &python::is_bijective);
-  module.def("weld", &python::weld);
   module.def("parameterize", &python::parameterize);
   module.def("repair", &python::repair);
   module.def("parameterize_with_seams", &python::parameterize_with_seams);

@@ -118,7 +118,9 @@ py::tuple parameterize_with_seams(const py::array& points, const py::array& tria
     FFM::internal::catch_out_of_memory(run, summary);
   }
   watch.raise();
-  return py::make_tuple(array_of(joined.vertices), array_of(joined.faces), array_of(joined.uv), account(summary));
+  return py::make_tuple(array_of(joined.vertices),
+                        array_of<std::int64_t>(joined.faces, {static_cast<py::ssize_t>(joined.faces.size() / 3), 3}), array_of(joined.uv),
+                        account(summary));
 }
 
 } // namespace python

@@ -7,24 +7,27 @@
 
 // Functions on surfaces that hold no method: unwrapping, cutting, packing, and what is measured of a map.
 
+#include "../../program/Edge_set.h"
 #include "Joined_corners.h"
+#include "Polygons.h"
 #include "Rows.h"
 #include "Watch.h"
 #include "account.h"
 #include "functions.h"
 #include "options.h"
 
-#include <CGAL/Flip_free_maps/core/default_traits.h>
 #include <CGAL/Flip_free_maps/cut_to_disk.h>
 #include <CGAL/Flip_free_maps/internal/Disjoint_sets.h>
 #include <CGAL/Flip_free_maps/is_bijective.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
+#include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/pack_charts.h>
 #include <CGAL/Flip_free_maps/unwrap.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,10 +37,7 @@ namespace python {
 namespace {
 
 using Surface = FFM::internal::Triangle_surface;
-using FFM::internal::Surface_edge;
-using FFM::internal::Surface_face;
 using FFM::internal::Surface_halfedge;
-using FFM::internal::Surface_vertex;
 
 const std::map<std::string, FFM::Cut_options::Branches> branches{{"none", FFM::Cut_options::Branches::none},
                                                                  {"extremities", FFM::Cut_options::Branches::extremities},
@@ -88,23 +88,6 @@ bool mark_edges(const Surface& surface, const Edges& edges, std::vector<char>& i
   return true;
 }
 
-// The images of the corners of triangles, keyed by the halfedges to them.
-template <typename Number>
-struct Corner_map
-{
-  using key_type = Surface_halfedge;
-  using value_type = std::array<Number, 2>;
-  using reference = value_type;
-  using category = boost::writable_property_map_tag;
-
-  std::vector<std::array<value_type, 3>>* corners;
-
-  friend void put(const Corner_map& map, Surface_halfedge h, const value_type& image)
-  {
-    (*map.corners)[h.number / 3][(h.number + 1) % 3] = image;
-  }
-};
-
 // The images of vertices, for functions that ask for those of the corners of triangles. They are read as they were given, and
 // written in another type.
 template <typename Number>
@@ -123,36 +106,51 @@ struct Vertex_images
   friend void put(const Vertex_images& map, Surface_halfedge h, const value_type& image) { (*map.result)[map.surface->target(h)] = image; }
 };
 
-// `welded` are the triangles with points that stand for others, if any do.
+// Whether all edges are sides of polygons; the summary names the first that is none.
+bool are_sides(const Polygons& polygons, const Edges& edges, FFM::Unwrap_summary& summary)
+{
+  std::set<std::pair<std::size_t, std::size_t>> missing;
+  const auto key = [](std::size_t v, std::size_t w) { return std::make_pair((std::min)(v, w), (std::max)(v, w)); };
+  for(const auto& edge : edges)
+    missing.insert(key(edge[0], edge[1]));
+  if(missing.empty())
+    return true;
+  for(const auto& polygon : polygons)
+    for(std::size_t k = 0; k < polygon.size(); ++k)
+      missing.erase(key(polygon[k], polygon[k + 1 == polygon.size() ? 0 : k + 1]));
+  for(const auto& edge : edges)
+    if(missing.count(key(edge[0], edge[1])) != 0) {
+      summary.status = FFM::Status::invalid_option;
+      summary.message = "there is no edge from " + std::to_string(edge[0]) + " to " + std::to_string(edge[1]);
+      return false;
+    }
+  return true;
+}
+
 template <typename Number>
-py::tuple unwrap_in(const Points& points, const Triangles& triangles, const std::vector<std::array<std::int64_t, 3>>& welded,
-                    const Edges& seams, const Edges& features, FFM::Unwrap_options& options, const program::Method_choice& choice,
-                    Watch& watch)
+py::tuple unwrap_in(const Points& points, const Polygons& polygons, const Edges& seams, const Edges& features,
+                    const FFM::Unwrap_options& options, const program::Method_choice& choice, Watch& watch)
 {
   FFM::Unwrap_summary summary;
-  std::vector<std::array<std::array<Number, 2>, 3>> corners;
   std::vector<std::int64_t> charts;
   Joined_corners<Number> joined;
   {
     const py::gil_scoped_release unlocked;
     const auto run = [&] {
-      Surface surface;
-      summary.status = welded.empty() ? surface.load(points, triangles, summary.message) : surface.load(points, welded, summary.message);
-      std::vector<char> is_seam, is_feature;
-      if(summary.status != FFM::Status::success || !mark_edges(surface, seams, is_seam, summary) ||
-         !mark_edges(surface, features, is_feature, summary))
+      if(!are_sides(polygons, seams, summary) || !are_sides(polygons, features, summary))
         return;
-      corners.resize(triangles.size());
-      charts.resize(triangles.size());
-      FFM::Flip_free_map_traits<> traits;
-      set_limits(choice, traits.options);
-      using FFM::internal::Array_map;
-      summary = FFM::unwrap(surface, Corner_map<Number>{&corners}, options, traits,
-                            FFM::parameters::face_chart_map(Array_map<std::int64_t>{&charts},
-                                                            FFM::parameters::edge_is_feature_map(Array_map<char>{&is_feature}))
-                              .edge_is_constrained_map(Array_map<char>{&is_seam}));
+      std::vector<std::vector<std::array<Number, 2>>> corners;
+      charts.resize(polygons.size());
+      FFM::Map_options map_options;
+      set_limits(choice, map_options);
+      namespace parameters = FFM::parameters;
+      const auto edge_maps =
+        parameters::edge_is_feature_map(program::Edge_set(features), CGAL::parameters::edge_is_constrained_map(program::Edge_set(seams)));
+      summary = FFM::unwrap(
+        points, polygons, corners,
+        parameters::unwrap_options(options, parameters::map_options(map_options, parameters::face_chart_map(charts.data(), edge_maps))));
       if(summary.is_valid())
-        joined.join(triangles, points.size(), corners);
+        joined.join(polygons, points.size(), corners);
     };
     FFM::internal::catch_out_of_memory(run, summary);
   }
@@ -182,21 +180,12 @@ py::tuple pack_in(const Triangles& triangles, const Planar_points& images, const
 
 } // namespace
 
-py::tuple unwrap(const py::array& points, const py::array& triangles, const py::array& representatives, const py::array& seams,
+py::tuple unwrap(const py::array& points, const py::array& values, const py::array& offsets, const py::array& seams,
                  const py::array& features, const py::dict& given, bool is_single_precision, const py::object& progress)
 {
   const Points p(points, "points");
-  const Triangles t(triangles, "faces");
+  const Polygons polygons(values, offsets);
   const Edges s(seams, "seams"), f(features, "features");
-  const Rows<std::int64_t, 1> of_points(representatives, "representatives");
-  std::vector<std::array<std::int64_t, 3>> welded;
-  if(of_points.size() == p.size() && p.size() > 0) {
-    welded.assign(t.begin(), t.end());
-    // Whoever reads the triangles refuses those that are out of range.
-    for(auto& triangle : welded)
-      for(auto& v : triangle)
-        v = static_cast<std::size_t>(v) < p.size() ? of_points[v][0] : v;
-  }
   FFM::Unwrap_options options;
   options.cut = cut_options(given);
   options.packing = packing_options(given);
@@ -204,12 +193,13 @@ py::tuple unwrap(const py::array& points, const py::array& triangles, const py::
   read(given, "max_distortion", options.max_distortion);
   read(given, "crease_angle", options.crease_angle);
   read(given, "max_length", options.max_length);
+  read(given, "strict", options.strict);
   read(given, "time_limit", options.max_seconds);
   Watch watch(progress);
   options.observer = watch.observer<FFM::Unwrap_progress>();
   const program::Method_choice choice = method_choice(given);
-  return is_single_precision ? unwrap_in<float>(p, t, welded, s, f, options, choice, watch)
-                             : unwrap_in<double>(p, t, welded, s, f, options, choice, watch);
+  return is_single_precision ? unwrap_in<float>(p, polygons, s, f, options, choice, watch)
+                             : unwrap_in<double>(p, polygons, s, f, options, choice, watch);
 }
 
 py::tuple pack(const py::array& triangles, const py::array& uv, const py::dict& given, bool is_single_precision)
@@ -300,28 +290,6 @@ py::tuple is_bijective(const py::array& triangles, const py::array& uv)
     answer = FFM::is_bijective(t, images, &message);
   }
   return py::make_tuple(answer, message);
-}
-
-// Points that are exactly the same become one; -0 is 0.
-py::array weld(const py::array& points)
-{
-  const Points p(points, "points");
-  std::vector<std::int64_t> result(p.size());
-  {
-    const py::gil_scoped_release unlocked;
-    std::vector<std::int64_t> order(p.size());
-    for(std::size_t i = 0; i < order.size(); ++i)
-      order[i] = static_cast<std::int64_t>(i);
-    // The smallest number of equal points comes first. NaN is left alone: each is a point of its own.
-    const auto is_finite = [&](std::int64_t i) { return p[i] == p[i]; };
-    const auto last = std::stable_partition(order.begin(), order.end(), is_finite);
-    std::sort(order.begin(), last, [&](std::int64_t i, std::int64_t j) { return p[i] != p[j] ? p[i] < p[j] : i < j; });
-    for(auto i = order.begin(); i != last; ++i)
-      result[*i] = i != order.begin() && p[*i] == p[*(i - 1)] ? result[*(i - 1)] : *i;
-    for(auto i = last; i != order.end(); ++i)
-      result[*i] = *i;
-  }
-  return array_of<std::int64_t>(result, {static_cast<py::ssize_t>(result.size()), 1});
 }
 
 } // namespace python

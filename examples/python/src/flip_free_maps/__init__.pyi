@@ -77,7 +77,7 @@ class Map(_MapFields):
 
 class Unwrapping(NamedTuple):
     vertices: _Indices
-    faces: _Indices
+    faces: Any
     uv: NDArray[Any]
     charts: _Indices
     summary: Summary
@@ -128,6 +128,7 @@ def unwrap(
     crease_preference: float | None = ...,
     crease_angle: float | None = ...,
     max_length: float | None = ...,
+    strict: bool | None = ...,
     tolerance: float | None = ...,
     max_iterations: int | None = ...,
     time_limit: float | None = ...,

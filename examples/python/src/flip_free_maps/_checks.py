@@ -7,6 +7,8 @@
 
 """Arguments as arrays of the types that the compiled part takes; without a copy where they are that already."""
 
+import itertools
+
 import numpy as np
 
 from . import _core
@@ -53,33 +55,48 @@ def indices(values, columns, name):
     return _integers(array, name)
 
 
-def _refuse_polygon(sizes):
-    face = int(np.flatnonzero(sizes != 3)[0])
-    raise NotTriangular(f"face number {face} has {int(sizes[face])} corners; triangulate the mesh first")
+def _polygons(faces, name, wanted):
+    """(values, offsets, columns), where columns is the number of corners of each polygon of an array, and None otherwise."""
+    if isinstance(faces, tuple) and len(faces) == 2 and all(isinstance(a, np.ndarray) and a.ndim == 1 for a in faces):
+        values, offsets = (_integers(a, name) for a in faces)
+        if offsets.size == 0 or offsets[0] != 0 or offsets[-1] != values.size or (np.diff(offsets) < 0).any():
+            raise ValueError(f"the offsets of {name} must ascend from 0 to the number of values")
+        return values, offsets, None
+    if not isinstance(faces, np.ndarray) and hasattr(faces, "__len__") and len(faces) > 0:
+        try:
+            sizes = [len(face) for face in faces]
+        except TypeError:
+            sizes = [0]
+        if min(sizes) != max(sizes):
+            values = _integers(np.array(list(itertools.chain.from_iterable(faces))), name)
+            if values.ndim != 1:
+                raise ValueError(f"the polygons of {name} must be sequences of indices")
+            return values, np.cumsum([0, *sizes], dtype=np.int64), None
+    array = np.asarray(faces)
+    if array.shape == (0,):
+        array = array.reshape(0, 3)
+    if array.ndim != 2 or array.shape[1] < 3:
+        raise ValueError(f"{name} must have the shape {wanted}, not {_shape(array)}")
+    array = _integers(array, name)
+    return array.reshape(-1), np.arange(len(array) + 1) * array.shape[1], array.shape[1]
+
+
+def polygons(faces, name="faces"):
+    """Polygons from an array of shape (n, k), a list of polygons of any numbers of corners, or a pair (values, offsets) of
+    arrays, in which polygon i has the corners values[offsets[i]:offsets[i + 1]].
+
+    Returns the pair, and k, which is None if they are not given as an array, or as what numpy makes one of."""
+    return _polygons(faces, name, "(n, k), k at least 3")
 
 
 def triangles(faces, name="faces"):
-    """Triangles from an array of shape (n, 3), a list of polygons, or a pair (values, offsets) of arrays, in which
-    polygon i has the corners values[offsets[i]:offsets[i + 1]]."""
-    if isinstance(faces, tuple) and len(faces) == 2 and all(isinstance(a, np.ndarray) and a.ndim == 1 for a in faces):
-        values, offsets = (_integers(a, name) for a in faces)
-        sizes = np.diff(offsets)
-        if offsets.size == 0 or offsets[0] != 0 or offsets[-1] != values.size or (sizes < 0).any():
-            raise ValueError(f"the offsets of {name} must ascend from 0 to the number of values")
-        if (sizes != 3).any():
-            _refuse_polygon(sizes)
-        return values.reshape(-1, 3)
-    if not isinstance(faces, np.ndarray) and hasattr(faces, "__len__") and len(faces) > 0:
-        try:
-            sizes = np.array([len(face) for face in faces])
-        except TypeError:
-            sizes = np.array([3])
-        if (sizes != sizes[0]).any():
-            _refuse_polygon(sizes)
-    array = np.asarray(faces)
-    if array.ndim == 2 and array.shape[0] > 0 and array.shape[1] > 3:
-        _refuse_polygon(np.full(array.shape[0], array.shape[1]))
-    return indices(array, 3, name)
+    """Triangles from what `polygons` takes."""
+    values, offsets, _ = _polygons(faces, name, "(n, 3)")
+    sizes = np.diff(offsets)
+    if (sizes != 3).any():
+        face = int(np.flatnonzero(sizes != 3)[0])
+        raise NotTriangular(f"face number {face} has {int(sizes[face])} corners; triangulate the mesh first")
+    return values.reshape(-1, 3)
 
 
 def pairs(values, name):

@@ -37,4 +37,3 @@ def _class_of(status):
 CLASSES = {status: _class_of(status) for status in _core.failures()}
 InvalidOption = CLASSES["invalid_option"]
 NotTriangular = CLASSES["not_triangular"]
-NonManifold = CLASSES["non_manifold"]

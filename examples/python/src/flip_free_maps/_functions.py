@@ -26,19 +26,23 @@ def _cut_options(arguments):
 
 def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pack=None, margin=None, resolution=None,
            padding=None, rotate=None, branches=None, target_energy=None, number_of_points=None, join_borders=None, cut_disks=None,
-           feature_cost=None, crease_preference=None, crease_angle=None, max_length=None, tolerance=None, max_iterations=None,
-           time_limit=None, dtype=np.float64, progress=None):
-    """Makes a texture atlas of any triangle mesh: cuts it open, flattens the pieces, packs them into the unit square.
+           feature_cost=None, crease_preference=None, crease_angle=None, max_length=None, strict=None, tolerance=None,
+           max_iterations=None, time_limit=None, dtype=np.float64, progress=None):
+    """Makes a texture atlas of any mesh of polygons: cuts it open, flattens the pieces, packs them into the unit square.
 
-    No triangle is flipped and no two triangles overlap, by exact predicates on the numbers that are returned.
+    No polygon is flipped and no two polygons overlap, by exact predicates on the numbers that are returned.
 
     Parameters
     ----------
     points : (n, 3) array
         The points of the surface, in any unit of length.
     faces : (f, 3) array of integers
-        Triangles, counterclockwise seen from outside; a list of polygons or a pair of arrays (values, offsets) will do, too,
-        if all polygons are triangles. The surface may be closed or have holes, of any genus and any number of components.
+        Triangles, counterclockwise seen from outside; also polygons, convex or not, as an array (f, k), a list of polygons of
+        any numbers of corners, or a pair of arrays (values, offsets), of which polygon i has values[offsets[i]:offsets[i + 1]].
+        The surface may be closed or have holes, of any genus and any number of components. Points at exactly the same place
+        are one as far as it matters which faces are neighbours. Where more than two faces have an edge, or faces of different
+        windings, they are kept apart by seams; faces that occur twice have two images; faces without area have thin ones.
+        `summary.parted_edges` counts such edges, `summary.faces_without_area` such faces.
     max_distortion : float, default 1.025
         Charts are cut until their mean symmetric Dirichlet energy is at most this; an isometry has 1. `math.inf`: only the
         topology asks for seams.
@@ -61,6 +65,9 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
         Radians by which the surface turns across a crease.
     max_length : float, default 1.2
         Long charts beyond this, in sides of a square of the surface's area, are split.
+    strict : bool, default False
+        Whether surfaces are refused that are no triangle meshes whose faces have an area and are joined by their indices to a
+        manifold.
     tolerance, max_iterations
         When the flattening of a chart ends, see `parameterize`.
     time_limit : float
@@ -74,25 +81,29 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
     Returns
     -------
     Unwrapping
-        (vertices, faces, uv, charts, summary)
+        (vertices, faces, uv, charts, summary): faces are an array of the shape of the given one, or a pair (values, offsets) if
+        they were given as such or as a list of polygons of different sizes.
 
     Raises
     ------
     Error
-        `NonManifold`, `DegenerateRestElement`, `NonFiniteInput`, `EmptyMesh`, `InvalidOption` and others.
+        `EmptyMesh`, `NonFiniteInput`, `DegenerateRestElement` if no face has corners at three different places,
+        `InvalidOption` and others; `NotTriangular`, `NonManifold` and `DegenerateRestElement` if it is to be strict.
     """
     p = _checks.numbers(points, 3, "points")
-    t = _checks.triangles(faces)
+    values, offsets, columns = _checks.polygons(faces)
     given = _checks.method(locals())
     given.update(_cut_options(locals()))
-    given.update(_checks.chosen(locals(), "pack", *_PACKING, "max_distortion", "crease_angle", "max_length"))
+    given.update(_checks.chosen(locals(), "pack", *_PACKING, "max_distortion", "crease_angle", "max_length", "strict"))
     dtype = np.dtype(dtype)
     if dtype not in (np.float64, np.float32):
         raise TypeError(f"dtype must be float64 or float32, not {dtype}")
-    *arrays, account = _core.unwrap(p, t, np.zeros((0, 1), dtype=np.int64), _checks.pairs(seams, "seams"),
-                                    _checks.pairs(features, "features"), given, bool(dtype == np.float32), watched(progress))
+    vertices, corners, uv, charts, account = _core.unwrap(p, values.reshape(-1, 1), offsets.reshape(-1, 1),
+                                                          _checks.pairs(seams, "seams"), _checks.pairs(features, "features"),
+                                                          given, bool(dtype == np.float32), watched(progress))
     summary = finished(account)
-    return Unwrapping(*arrays, summary)
+    result = (corners, offsets.copy()) if columns is None else corners.reshape(-1, columns)
+    return Unwrapping(vertices, result, uv, charts, summary)
 
 
 def parameterize(points, faces, *, method="default", energy="symmetric-dirichlet", energy_parameter=None, preconditioner=None,

@@ -90,15 +90,19 @@ def watched(progress):
     return lambda report: progress(Progress(**report))
 
 
-def picture(uv, faces, size=400, most_triangles=20000):
-    """The layout as SVG: triangles, if there are not too many of them to be told apart, and borders."""
-    if len(faces) == 0:
+def picture(uv, faces, size=400, most_faces=20000):
+    """The layout as SVG: faces, if there are not too many of them to be told apart, and borders."""
+    values, offsets = faces if isinstance(faces, tuple) else (faces.ravel(), np.arange(len(faces) + 1) * faces.shape[1])
+    if values.size == 0:
         return ""
-    low = uv[faces].min(axis=(0, 1))
-    extent = float(np.max(uv[faces].max(axis=(0, 1)) - low)) or 1.0
+    low = uv[values].min(axis=0)
+    extent = float(np.max(uv[values].max(axis=0) - low)) or 1.0
     places = (uv - low) * (size / extent)
     places[:, 1] = size - places[:, 1]
-    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    following = np.arange(1, values.size + 1)
+    first, last = offsets[:-1], offsets[1:]
+    following[last[last > first] - 1] = first[last > first]
+    edges = np.stack([values, values[following]], axis=1)
     edges.sort(axis=1)
     edges, counts = np.unique(edges, axis=0, return_counts=True)
 
@@ -107,7 +111,7 @@ def picture(uv, faces, size=400, most_triangles=20000):
         path = "".join("M%.1f %.1fL%.1f %.1f" % tuple(row) for row in ends.tolist())
         return f"<path d='{path}' fill='none' stroke='{colour}' stroke-width='{width}'/>"
 
-    inner = lines(edges[counts > 1], "#94a3b8", 0.4) if len(faces) <= most_triangles else ""
+    inner = lines(edges[counts > 1], "#94a3b8", 0.4) if len(offsets) - 1 <= most_faces else ""
     return (
         f"<svg xmlns='http://www.w3.org/2000/svg' width='{size}' height='{size}' viewBox='-4 -4 {size + 8} {size + 8}'>"
         + inner + lines(edges[counts == 1], "#1e3a8a", 1) + "</svg>"
@@ -141,17 +145,20 @@ class Unwrapping(NamedTuple):
     vertices: np.ndarray
     """(k,) int64: which point each vertex of the atlas has; `points[vertices]` are the points."""
     faces: np.ndarray
-    """(f, 3) int64: the triangles, in the order of those that were given, as indices into `vertices` and `uv`."""
+    """(f, 3) int64: the triangles, in the order of those that were given, as indices into `vertices` and `uv`; (f, k) for polygons
+    that were given so, and a pair (values, offsets) of int64 for others."""
     uv: np.ndarray
     """(k, 2): the images, in the unit square if charts are packed."""
     charts: np.ndarray
-    """(f,) int64: the number of each triangle's chart; 0 is the largest."""
+    """(f,) int64: the number of each face's chart; 0 is the largest, -1 stands for faces with corners at less than three places,
+    whose images are those of these places."""
     summary: Summary
 
     @property
     def corners(self):
-        """(f, 3, 2): the images of the corners of the triangles."""
-        return self.uv[self.faces]
+        """The images of the corners of the faces: (f, 3, 2) for triangles, (f, k, 2) for polygons in an array, and
+        (sum of corners, 2) for a pair (values, offsets), in the order of the values."""
+        return self.uv[self.faces[0] if isinstance(self.faces, tuple) else self.faces]
 
     def _repr_html_(self):
         return self.summary._repr_html_() + picture(self.uv, self.faces)

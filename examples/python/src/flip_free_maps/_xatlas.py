@@ -12,7 +12,8 @@ import warnings
 import numpy as np
 
 from . import _core
-from ._errors import InvalidOption, NonManifold
+from ._errors import InvalidOption
+from ._functions import unwrap
 from ._results import finished
 
 
@@ -155,8 +156,8 @@ class PackOptions(_Options):
 class Atlas:
     """Texture coordinates of several meshes in one texture.
 
-    Vertices at exactly the same position are one, unless the surface would not be manifold then: they may differ in their
-    normals, for example, without a seam between them.
+    Vertices at exactly the same position are one: they may differ in their normals, for example, without a seam between them.
+    Triangles may be without area, occur twice, differ in their windings, and meet at an edge in any number, see `unwrap`.
     """
 
     def __init__(self):
@@ -210,11 +211,17 @@ class Atlas:
             vertices, faces = np.arange(len(points)), triangles
             uv, scale = self._pack(faces, points, given, texels)
         else:
-            vertices, faces, uv, summary = _unwrap(points, triangles, given, texels > 0)
+            # Single precision is for what is final.
+            vertices, faces, uv, charts, summary = unwrap(points, triangles, **given, pack=texels == 0,
+                                                          dtype=np.float32 if texels == 0 else np.float64)
             self._number_of_charts = len(summary.charts)
             scale, self._utilization, self._width = summary.scale, summary.occupancy, given["resolution"]
             if texels > 0:
-                uv, scale = self._pack(faces, uv, given, texels)
+                # Charts lie side by side: the same image is the same place. Faces that are in no chart have images of others.
+                images, numbers = np.unique(uv, axis=0, return_inverse=True)
+                numbers = numbers.reshape(-1)
+                packed, scale = self._pack(numbers[faces[charts >= 0]], images, given, texels)
+                uv = packed[numbers]
         self._texels_per_unit = scale * self._width
         self._results = self._split(vertices, faces, uv, first_points)
         if verbose:
@@ -300,25 +307,6 @@ class Atlas:
     def chart_image(self):
         """Raises: no image is drawn."""
         raise RuntimeError("The atlas does not have an image.")
-
-
-def _unwrap(points, triangles, given, is_packed_later):
-    """(vertices, faces, uv, summary), with single precision if it is final."""
-    options = {**given, "pack": not is_packed_later}
-    no_edges = np.zeros((0, 2), dtype=np.int64)
-
-    def run(representatives):
-        *arrays, _, account = _core.unwrap(points, triangles, representatives, no_edges, no_edges, options,
-                                           not is_packed_later, None)
-        return (*arrays, finished(account))
-
-    representatives = _core.weld(points)
-    try:
-        return run(representatives)
-    except NonManifold:
-        if np.array_equal(representatives.ravel(), np.arange(len(points))):
-            raise
-    return run(np.zeros((0, 1), dtype=np.int64))
 
 
 def parametrize(positions, indices, normals=None, uvs=None):
