@@ -105,14 +105,15 @@ def test_surfaces_of_all_kinds(name, points, faces, texels):
 def test_atlas_of_several_meshes():
     atlas = xatlas.Atlas()
     assert (len(atlas), atlas.mesh_count, atlas.chart_count, atlas.atlas_count, atlas.width, atlas.height) == (0, 0, 0, 0, 0, 0)
-    all_meshes = [meshes.sphere(1), meshes.sheet(5), meshes.torus(8, 5)]
+    # One of them occurs twice, at the same place.
+    all_meshes = [meshes.sphere(1), meshes.sheet(5), meshes.torus(8, 5), meshes.sphere(1)]
     for points, faces in all_meshes:
         atlas.add_mesh(points, faces)
     with pytest.raises(RuntimeError):
         atlas.get_mesh(0)
     atlas.generate()
-    assert len(atlas) == atlas.mesh_count == 3 and atlas.atlas_count == 1
-    assert atlas.chart_count >= 3 and 0 < atlas.utilization <= 1 and atlas.texels_per_unit > 0
+    assert len(atlas) == atlas.mesh_count == 4 and atlas.atlas_count == 1
+    assert atlas.chart_count >= 4 and 0 < atlas.utilization <= 1 and atlas.texels_per_unit > 0
     assert atlas.width == atlas.height == 1024
     offset, indices_of_all, uvs_of_all = 0, [], []
     for number, (points, faces) in enumerate(all_meshes):

@@ -77,7 +77,7 @@ class Map(_MapFields):
 
 class Unwrapping(NamedTuple):
     vertices: _Indices
-    faces: Any
+    faces: Any  # _Indices, or a pair (values, offsets) of them, as the faces were given
     uv: NDArray[Any]
     charts: _Indices
     summary: Summary

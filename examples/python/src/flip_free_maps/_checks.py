@@ -7,8 +7,6 @@
 
 """Arguments as arrays of the types that the compiled part takes; without a copy where they are that already."""
 
-import itertools
-
 import numpy as np
 
 from . import _core
@@ -68,7 +66,7 @@ def _polygons(faces, name, wanted):
         except TypeError:
             sizes = [0]
         if min(sizes) != max(sizes):
-            values = _integers(np.array(list(itertools.chain.from_iterable(faces))), name)
+            values = _integers(np.array([v for face in faces for v in face]), name)
             if values.ndim != 1:
                 raise ValueError(f"the polygons of {name} must be sequences of indices")
             return values, np.cumsum([0, *sizes], dtype=np.int64), None

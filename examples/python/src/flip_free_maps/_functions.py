@@ -117,7 +117,7 @@ def parameterize(points, faces, *, method="default", energy="symmetric-dirichlet
     points : (n, 3) array
         The points of the surface.
     faces : (f, 3) array of integers
-        Triangles, as for `unwrap`. Of several components, that of the longest border is flattened.
+        Triangles, in any of the forms that `unwrap` takes. Of several components, that of the longest border is flattened.
     method : str
         "default", or a method of the literature: "slim", "cm", "akvf", "pp", "aqp", "newton", ...
     energy : str
