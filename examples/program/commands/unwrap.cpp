@@ -7,6 +7,7 @@
 
 #include "../commands.h"
 #include "../layout.h"
+#include "../number_files.h"
 #include "../repair_polygons.h"
 #include "../report.h"
 
