@@ -33,16 +33,16 @@ using namespace test_support;
 namespace {
 
 // A square of the given half side at the given depth, seen from +z, with one value.
-FFM::Surface_view square(double size, double depth, double value)
+FFM::Solid_view square(double size, double depth, double value)
 {
-  FFM::Surface_view view;
+  FFM::Solid_view view;
   view.points = {{{-size, -size, depth}}, {{size, -size, depth}}, {{size, size, depth}}, {{-size, size, depth}}};
   view.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
   view.values.assign(2, value);
   return view;
 }
 
-FFM::Surface_view merged(FFM::Surface_view a, const FFM::Surface_view& b)
+FFM::Solid_view merged(FFM::Solid_view a, const FFM::Solid_view& b)
 {
   const int shift = static_cast<int>(a.points.size());
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());
@@ -79,7 +79,7 @@ struct Picture
   std::vector<std::uint32_t> pixels;
 };
 
-Picture draw(const std::vector<FFM::Surface_view>& views, const FFM::Surface_picture_options& options)
+Picture draw(const std::vector<FFM::Solid_view>& views, const FFM::Surface_picture_options& options)
 {
   const Directory directory;
   std::string message = "old";
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(nearer_triangles_hide_others_from_either_side)
   options.width = 640;
   options.height = 480;
   options.upper_end = 10;
-  const FFM::Surface_view both = merged(square(1, 0, 1), square(0.3, 0.5, 10));
+  const FFM::Solid_view both = merged(square(1, 0, 1), square(0.3, 0.5, 10));
   options.view_direction = {{0, 0, 1}};
   const Picture front = draw({both}, options);
   options.view_direction = {{0, 0, -1}};
@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(views_share_the_scale_of_lengths)
   options.width = 800;
   options.height = 400;
   options.view_direction = {{0, 0, 1}};
-  std::vector<FFM::Surface_view> views = {square(1, 0, 1), square(0.5, 0, 1)};
-  for(FFM::Surface_view& view : views)
+  std::vector<FFM::Solid_view> views = {square(1, 0, 1), square(0.5, 0, 1)};
+  for(FFM::Solid_view& view : views)
     view.values.clear();
   const Picture picture = draw(views, options);
   std::array<int, 2> covered = {{0, 0}};
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(views_share_the_scale_of_lengths)
 BOOST_AUTO_TEST_CASE(surfaces_without_holes_and_strange_values)
 {
   // Thousands of triangles, none of whose common edges may shine through.
-  FFM::Surface_view view;
+  FFM::Solid_view view;
   const int n = 60;
   for(int j = 0; j <= n; ++j)
     for(int i = 0; i <= n; ++i)
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(surfaces_without_holes_and_strange_values)
   BOOST_TEST(pale == 0);
 
   // Whatever is degenerate still gives a picture.
-  FFM::Surface_view point;
+  FFM::Solid_view point;
   point.points = {{{1, 1, 1}}};
   point.triangles = {{{0, 0, 0}}};
   draw({point, view}, options);
@@ -175,15 +175,15 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_drawn)
 {
   const Directory directory;
   const std::string path = directory.file("a.png");
-  const FFM::Surface_view good = square(1, 0, 2);
-  const auto fails = [&](const std::vector<FFM::Surface_view>& views, const FFM::Surface_picture_options& options, const char* part) {
+  const FFM::Solid_view good = square(1, 0, 2);
+  const auto fails = [&](const std::vector<FFM::Solid_view>& views, const FFM::Surface_picture_options& options, const char* part) {
     std::string message;
     return !FFM::write_surface_PNG(path, views, options, &message) && contains(message, part) && !std::filesystem::exists(path);
   };
   FFM::Surface_picture_options options;
   BOOST_TEST(fails({}, options, "no view"));
-  BOOST_TEST(fails({good, FFM::Surface_view()}, options, "no triangle"));
-  FFM::Surface_view bad = good;
+  BOOST_TEST(fails({good, FFM::Solid_view()}, options, "no triangle"));
+  FFM::Solid_view bad = good;
   bad.values.pop_back();
   BOOST_TEST(fails({bad}, options, "number of values"));
   bad = good;

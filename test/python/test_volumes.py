@@ -105,12 +105,18 @@ def test_session(dimension):
     assert summary.energy == pytest.approx(energy, rel=1e-3)
     quick = session.move(points[handles], max_iterations=1)
     assert quick.status in ("iteration_limit", "success") and meshes.flips(elements, session.points) == 0
-    # What fails, or is stopped by an exception, leaves the shape as it was.
+    # A limit holds for one move.
+    assert session.move(points[handles], max_iterations=0).iterations == 0
+    assert session.move(targets).status == "success"
+    with pytest.raises(TypeError):
+        session.move(targets, max_iterations=2.7)
+    # What fails leaves the shape as it was.
     before = session.points
     with pytest.raises(ffm.Error):
         session.move(np.full_like(targets, np.nan))
     with pytest.raises(ValueError):
         session.move(targets[:-1])
+    assert np.array_equal(before, session.points)
 
     def fail(report):
         raise ZeroDivisionError
@@ -118,7 +124,6 @@ def test_session(dimension):
     with pytest.raises(ZeroDivisionError):
         session.move(targets, progress=fail)
     assert np.isfinite(session.points).all() and meshes.flips(elements, session.points) == 0
-    assert np.array_equal(before[handles], points[handles])
     session.points[:] = 7
     assert not (session.points == 7).all()
     with pytest.raises(ValueError):

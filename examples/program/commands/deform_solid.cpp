@@ -48,7 +48,7 @@ void draw(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& before
           const std::vector<double>& distortion, double energy)
 {
   std::vector<std::size_t> owners;
-  FFM::Surface_view rest, image;
+  FFM::Solid_view rest, image;
   rest.points = before.points;
   rest.triangles = image.triangles = FFM::boundary_triangles(before, &owners);
   rest.caption = "at rest: " + arguments.input.substr(arguments.input.rfind('/') + 1);

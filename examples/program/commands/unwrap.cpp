@@ -8,6 +8,7 @@
 #include "../Edge_set.h"
 #include "../commands.h"
 #include "../layout.h"
+#include "../number_files.h"
 #include "../repair_polygons.h"
 #include "../report.h"
 

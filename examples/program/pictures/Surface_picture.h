@@ -34,7 +34,7 @@ namespace Flip_free_maps {
 /*!
   One view of `write_surface_PNG()`: a surface in space with a value per triangle.
 */
-struct Surface_view
+struct Solid_view
 {
   /// Positions in space; those that no triangle uses may have any value.
   std::vector<std::array<double, 3>> points;
@@ -83,7 +83,7 @@ namespace internal {
 class Surface_picture
 {
 public:
-  Surface_picture(const std::vector<Surface_view>& views, const Surface_picture_options& options) : m_views(views), m_options(options) {}
+  Surface_picture(const std::vector<Solid_view>& views, const Surface_picture_options& options) : m_views(views), m_options(options) {}
 
   // Returns the empty string, or what is wrong with the views or the options.
   std::string analyze()
@@ -97,7 +97,7 @@ public:
       return "the directions of the view must be finite, and that of up not zero";
     if(m_views.empty())
       return "there is no view";
-    for(const Surface_view& view : m_views) {
+    for(const Solid_view& view : m_views) {
       const std::string error = view_error(view);
       if(!error.empty())
         return error;
@@ -118,7 +118,7 @@ public:
 
     double scale = std::numeric_limits<double>::infinity();
     std::vector<Eigen::Vector3d> centers;
-    for(const Surface_view& view : m_views) {
+    for(const Solid_view& view : m_views) {
       Eigen::Vector3d low, high;
       box(view, low, high);
       const Eigen::Vector3d size = high - low;
@@ -142,7 +142,7 @@ public:
 private:
   static Eigen::Vector3d vector(const std::array<double, 3>& a) { return Eigen::Vector3d(a[0], a[1], a[2]); }
 
-  static std::string view_error(const Surface_view& view)
+  static std::string view_error(const Solid_view& view)
   {
     if(view.triangles.empty())
       return "a view has no triangle";
@@ -163,7 +163,7 @@ private:
   void choose_upper_end()
   {
     std::vector<double> finite;
-    for(const Surface_view& view : m_views) {
+    for(const Solid_view& view : m_views) {
       m_has_values = m_has_values || !view.values.empty();
       for(const double value : view.values)
         if(std::isfinite(value))
@@ -180,7 +180,7 @@ private:
     }
   }
 
-  static Eigen::Vector3d area_vector(const Surface_view& view, const std::array<int, 3>& t)
+  static Eigen::Vector3d area_vector(const Solid_view& view, const std::array<int, 3>& t)
   {
     const Eigen::Vector3d a = vector(view.points[t[0]]);
     return (vector(view.points[t[1]]) - a).cross(vector(view.points[t[2]]) - a) / 2;
@@ -207,7 +207,7 @@ private:
     return view_axes(best, up);
   }
 
-  void box(const Surface_view& view, Eigen::Vector3d& low, Eigen::Vector3d& high) const
+  void box(const Solid_view& view, Eigen::Vector3d& low, Eigen::Vector3d& high) const
   {
     low.setConstant(std::numeric_limits<double>::infinity());
     high = -low;
@@ -220,7 +220,7 @@ private:
     }
   }
 
-  Rgb color(const Surface_view& view, std::size_t i) const
+  Rgb color(const Solid_view& view, std::size_t i) const
   {
     if(view.values.empty())
       return {{0.80, 0.84, 0.88}};
@@ -228,8 +228,8 @@ private:
     return distortion_color(!(value < m_upper) ? 1. : value <= 1. ? 0. : std::log(value) / std::log(m_upper));
   }
 
-  void draw_view(cairo_t* context, const Surface_view& view, const Eigen::Vector3d& center, double scale, double left, double top,
-                 int width, int height, double font_size) const
+  void draw_view(cairo_t* context, const Solid_view& view, const Eigen::Vector3d& center, double scale, double left, double top, int width,
+                 int height, double font_size) const
   {
     const int factor = 2;
     Surface_raster raster(factor * width, factor * height);
@@ -306,7 +306,7 @@ private:
     }
   }
 
-  const std::vector<Surface_view>& m_views;
+  const std::vector<Solid_view>& m_views;
   const Surface_picture_options& m_options;
   Eigen::Matrix3d m_axes = Eigen::Matrix3d::Identity();
   double m_upper = 1.05;
@@ -333,7 +333,7 @@ private:
            unless the macro `CGAL_FLIP_FREE_MAPS_USE_CAIRO` is defined.
            The cost is linear in the number of triangles and of pixels that they cover.
 */
-inline bool write_surface_PNG(const std::string& path, const std::vector<Surface_view>& views,
+inline bool write_surface_PNG(const std::string& path, const std::vector<Solid_view>& views,
                               const Surface_picture_options& options = Surface_picture_options(), std::string* message = nullptr)
 {
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO

@@ -218,6 +218,8 @@ public:
     m_deformation =
       std::make_unique<FFM::Deformation<D, FFM::Any_map_traits>>(std::move(loaded.domain), loaded.start, loaded.handles, traits);
     m_traits = std::make_unique<FFM::Any_map_traits>(traits);
+    m_options = make_traits(choice).options;
+    m_options.keep_factorization = m_deformation->options().keep_factorization;
   }
 
   py::tuple move(const py::array& targets, const py::dict& given, const py::object& progress)
@@ -226,6 +228,7 @@ public:
     const program::Method_choice choice = method_choice(given);
     Watch watch(progress);
     FFM::Map_options& options = m_deformation->options();
+    options = m_options;
     set_limits(choice, options);
     options.observer = watch.observer<FFM::Iteration_report>();
     FFM::Summary summary;
@@ -255,6 +258,7 @@ private:
   std::vector<Result> m_points;
   std::unique_ptr<FFM::Deformation<D, FFM::Any_map_traits>> m_deformation;
   std::unique_ptr<FFM::Any_map_traits> m_traits;
+  FFM::Map_options m_options; // of a move without limits of its own
 };
 
 template <int D>

@@ -33,10 +33,10 @@ std::vector<Flat_chart> separate_charts(const std::vector<std::array<std::int32_
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
-/// Moves the charts of an atlas into the unit square, apart from each other. Each chart is turned to where its bounding box is
-/// smallest, all are scaled by the same factor (so that a length on the surface has the same length on all charts as far as it
-/// had before), and the bounding boxes are packed below a skyline. An edge is a seam where its two triangles give different
-/// images to it; charts are the parts of the surface between seams.
+/// Moves the charts of an atlas into the unit square, apart from each other. All are scaled by the same factor, so that a length on
+/// the surface has the same length on all charts as far as it had before. Charts are turned and laid into dents and holes of
+/// others; thousands of them, or with a wide margin, as boxes. An edge is a seam where its two triangles give different images to
+/// it; charts are the parts of the surface between seams.
 ///
 /// \tparam TriangleMesh must be a model of `FaceListGraph`, of triangles, whose vertex descriptors are `Hashable`
 /// \tparam HalfedgeUVMap must be a model of `ReadWritePropertyMap` with halfedge descriptors as keys and planar points as values:
@@ -51,8 +51,8 @@ std::vector<Flat_chart> separate_charts(const std::vector<std::array<std::int32_
 ///   `non_finite_input`, `start_not_flip_free`, or `result_not_representable` when triangles are too small within the unit square
 ///   for the map's number type
 ///
-/// Complexity: \f$ O(n \log n) \f$ for \f$ n \f$ triangles, and \f$ O(c\,s) \f$ for each of about 50 packings that are tried,
-/// with \f$ c \f$ charts and skylines of \f$ s \f$ steps.
+/// Complexity: \f$ O(n \log n) \f$ for \f$ n \f$ triangles, and a bounded amount of work beyond what the first packings of the
+/// charts take, some tenths of a second.
 template <typename TriangleMesh, typename HalfedgeUVMap>
 Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Packing_options& options = Packing_options())
 {

@@ -7,6 +7,8 @@
 
 """Arguments as arrays of the types that the compiled part takes; without a copy where they are that already."""
 
+import operator
+
 import numpy as np
 
 from . import _core
@@ -141,7 +143,7 @@ def method(arguments):
             raise InvalidOption(f"{argument} must be " + ("positive" if least is None else "at least 0") + f", not {value}")
         given[argument] = value
     if arguments.get("max_iterations") is not None:
-        given["max_iterations"] = int(arguments["max_iterations"])
+        given["max_iterations"] = min(operator.index(arguments["max_iterations"]), 2**31 - 1)
     return given
 
 

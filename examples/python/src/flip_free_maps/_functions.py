@@ -476,8 +476,9 @@ class Deformation:
     def move(self, targets, *, criterion=None, tolerance=None, max_iterations=None, time_limit=None, progress=None):
         """Moves the handles to `targets` (k, 2) or (k, 3) and optimises the shape; returns the summary.
 
-        An iteration limit of a few makes a move a quick one that leaves the rest to the next. The shape stays as it is when an
-        exception is raised.
+        An iteration limit of a few makes a move a quick one that leaves the rest to the next; limits are those of this move. The
+        shape stays as it is when a move fails. What `progress` or Ctrl-C raise ends a move with the shape found so far, which has
+        no flips.
         """
         given = {**self._given, **_checks.method(locals())}
         places = _targets(targets, self.handles, self._dimension)
