@@ -88,8 +88,9 @@ def surfaces_of_all_kinds():
 
 
 @pytest.mark.parametrize("texels", [0, 100])
-@pytest.mark.parametrize("name, points, faces", list(surfaces_of_all_kinds()), ids=[entry[0] for entry in surfaces_of_all_kinds()])
-def test_surfaces_of_all_kinds(name, points, faces, texels):
+@pytest.mark.parametrize("points, faces", [entry[1:] for entry in surfaces_of_all_kinds()],
+                         ids=[entry[0] for entry in surfaces_of_all_kinds()])
+def test_surfaces_of_all_kinds(points, faces, texels):
     options = xatlas.PackOptions()
     options.texels_per_unit = texels
     atlas = xatlas.Atlas()

@@ -145,8 +145,8 @@ class Unwrapping(NamedTuple):
     vertices: np.ndarray
     """(k,) int64: which point each vertex of the atlas has; `points[vertices]` are the points."""
     faces: np.ndarray
-    """(f, 3) int64: the triangles, in the order of those that were given, as indices into `vertices` and `uv`; (f, k) for polygons
-    that were given so, and a pair (values, offsets) of int64 for others."""
+    """(f, 3) int64: the triangles, in the order of those that were given, as indices into `vertices` and `uv`; (f, k) for
+    polygons in an array, and a pair (values, offsets) of int64 for others."""
     uv: np.ndarray
     """(k, 2): the images, in the unit square if charts are packed."""
     charts: np.ndarray
