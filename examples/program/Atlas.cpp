@@ -11,7 +11,12 @@
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace program {
 
@@ -76,6 +81,18 @@ private:
   CGAL::Orientation m_positive;
 };
 
+// For each point the first one at the same place: files double points for reasons of their own, and what they part is no seam as long as
+// the images agree.
+std::vector<int> first_at_same_place(const std::vector<std::array<double, 3>>& points)
+{
+  std::vector<int> order(points.size()), first(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return points[i] < points[j]; });
+  for(std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
+  return first;
+}
+
 } // namespace
 
 Atlas make_atlas(const Surface& surface, const Corner_images& images)
@@ -83,6 +100,7 @@ Atlas make_atlas(const Surface& surface, const Corner_images& images)
   Atlas atlas;
   for(const auto& p : surface.points)
     atlas.mesh.points.push_back({p.x(), p.y(), p.z()});
+  const std::vector<int> first = first_at_same_place(atlas.mesh.points);
   FFM::internal::Corner_numbers<std::size_t> numbers;
   for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
     if(images[i].empty()) {
@@ -98,7 +116,7 @@ Atlas make_atlas(const Surface& surface, const Corner_images& images)
         const std::size_t v = surface.polygons[i][corners[k]];
         points.col(k) = Eigen::Map<const Eigen::Vector3d>(atlas.mesh.points[v].data());
         image.col(k) = Eigen::Map<const Eigen::Vector2d>(images[i][corners[k]].data());
-        triangle[k] = static_cast<int>(v);
+        triangle[k] = first[v];
       }
       // NaN says that the triangle cannot be measured.
       if(std::isnan(FFM::internal::Distortion_measure().add(points, image)))

@@ -22,7 +22,7 @@ namespace program {
 
 struct Atlas
 {
-  FFM::Textured_mesh mesh;                         // the triangles that have an area in space; corners of the same point and image share it
+  FFM::Textured_mesh mesh;                         // the triangles that have an area in space; corners of the same place and image share it
   std::vector<std::size_t> polygons;               // of which polygon each triangle is
   std::vector<std::array<std::size_t, 3>> corners; // of which of its corners
   std::size_t without_images = 0, without_area = 0; // polygons

@@ -581,6 +581,10 @@ done << 'END'
 8 orientation.off
 8 moebius.off
 END
+# Points are joined by their places, by both commands.
+printf 'OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n' > unwelded.off
+atlas unwelded.off
+check "unwelded triangles: one chart" test "$(total atlas.json number_of_charts)" = 1
 atlas zero_area.off --repair
 # A face without area needs no repair.
 expect 0 unwrap zero_area.off -o atlas.obj --json atlas.json

@@ -101,9 +101,9 @@ public:
 private:
   static constexpr int SIZE = 512, WORDS = SIZE / 64;
   static constexpr double SCALE_TOLERANCE = 0.01;
-  // Of the search: the least gain that counts, and the number of rows of figures that are tried, some tenths of a second.
+  // Of the search: the least gain that counts, and the number of rows that are shifted, which takes about a tenth of a second.
   static constexpr double SEARCH_STEP = 0.004;
-  static constexpr std::int64_t MOST_WORK = 1000000;
+  static constexpr std::int64_t MOST_WORK = 3000000;
   // Rounding of coordinates, in cells.
   static constexpr double SLACK = 1e-6;
 

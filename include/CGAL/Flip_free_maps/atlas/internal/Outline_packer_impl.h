@@ -145,6 +145,7 @@ CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::first_place(const Figure& figure,
       for(int i = 0; i < WORDS; ++i)
         taken[i] |= other[i];
       done += step;
+      ++m_work;
     }
     taken = shifted(taken, run[0]);
     ++m_work;
