@@ -199,6 +199,18 @@ BOOST_AUTO_TEST_CASE(holes_and_dents_are_used)
   BOOST_TEST((centre.array() < placed[0].sources.rightCols(4).rowwise().maxCoeff().array()).all());
 }
 
+// Where nothing would be too near the border of another chart, but within it.
+BOOST_AUTO_TEST_CASE(charts_keep_out_of_others)
+{
+  Polygon small;
+  for(const Eigen::Vector2d& p : square)
+    small.push_back(0.1 * p);
+  const std::vector<FFM::internal::Chart_outline> outlines{outline_of({square}), outline_of({small})};
+  std::vector<FFM::internal::Chart_outline> placed;
+  const double scale = packed_outlines(outlines, 0.5, 0.95, 0.01, false, placed);
+  BOOST_TEST(scale * 1.1 + 0.01 <= 1 + 1e-9);
+}
+
 // The longest needle in a square lies on its diagonal.
 BOOST_AUTO_TEST_CASE(charts_turn_freely)
 {

@@ -99,7 +99,8 @@ public:
   ///
   /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged
   /// \returns what happened. The status is one of `success`, `iteration_limit`, `time_limit` and `stopped_by_observer`, or a
-  ///   failure: `invalid_option` (also of a term whose matrix has blocks outside its stencils), `start_not_flip_free`, `linear_solver_failed`, `line_search_failed` or `out_of_memory`. No
+  ///   failure: `invalid_option` (also of a term whose matrix has blocks outside its stencils), `start_not_flip_free`,
+  ///   `linear_solver_failed`, `line_search_failed`, `out_of_memory`, or `flips_remain` if predicates contradict themselves. No
   ///   exception is thrown but those of the observer.
   Summary minimize(Positions<D>& x)
   {
@@ -214,7 +215,14 @@ private:
     Summary& summary = run.summary;
     if(!summary.is_valid())
       return;
-    summary.flips = m_steps.allows_flips() ? m_steps.flips(run.x) : 0;
+    {
+      const internal::Phase_timer timer(summary.seconds.certify);
+      summary.flips = m_steps.flips(run.x);
+    }
+    if(summary.flips > 0 && !m_steps.allows_flips()) {
+      run.finish(Status::flips_remain, "the predicates contradict themselves: elements of a certified map are flipped");
+      return;
+    }
     summary.energy_of_terms = m_objective.energy_of_terms(run.x);
     std::tie(summary.min_singular_value, summary.max_singular_value) = m_objective.singular_value_range(run.x);
   }

@@ -183,7 +183,7 @@ private:
     Positions<D>& x;
     Summary& summary;
     Splitting_report report;
-    Positions<D> flip_free; // the last iterate without flips in floating point, if the present one has some
+    Positions<D> flip_free; // the last iterate without flips
     std::int64_t flips = 0;
     int first_iteration = 0;
     double time_begin = 0;
@@ -354,9 +354,9 @@ private:
     if(run.flips != 0)
       return;
     // Determinants in floating point may be wrong where exact predicates are not.
-    if(m_options.stop_when_flip_free || run.wants_energy || is_within_tolerances(run))
-      run.flips = flips(run.x, run.summary);
-    run.flip_free = run.x;
+    run.flips = flips(run.x, run.summary);
+    if(run.flips == 0)
+      run.flip_free = run.x;
   }
 
   // Certifies the last iterate, or the last one without flips, and measures it.

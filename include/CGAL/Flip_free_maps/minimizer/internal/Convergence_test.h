@@ -107,7 +107,7 @@ private:
     report.step = run.progress.step;
     report.largest_step = run.progress.largest_step;
     report.factorizations = run.summary.factorizations;
-    report.flips = m_steps.allows_flips() ? m_steps.flips(run.x) : 0;
+    report.flips = m_steps.flips(run.x);
     return report;
   }
 

@@ -61,7 +61,6 @@ public:
         return run.finish(Status::non_finite_input, "a target is NaN or infinite");
       if((handles.array() == 0).all()) {
         run.options = options;
-        run.summary.flips = 0;
         return true;
       }
       const bool reuses = m_factorization.exists() && round == 0 && options.keep_factorization;
