@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -177,6 +178,69 @@ BOOST_AUTO_TEST_CASE(distortion_is_bounded_by_default)
     BOOST_TEST(chart.energy <= 1.025);
 }
 
+BOOST_AUTO_TEST_CASE(stretch_is_bounded)
+{
+  Atlas_surface sphere(sphere_soup(3));
+  FFM::Unwrap_options options;
+  options.max_distortion = std::numeric_limits<double>::infinity();
+  const FFM::Unwrap_summary whole = sphere.unwrap(options);
+  BOOST_TEST_REQUIRE(whole.charts.size() == 1u);
+  BOOST_TEST(whole.charts[0].stretch_95 > 1.2);
+  options.max_stretch = 1.15;
+  const FFM::Unwrap_summary bounded = sphere.unwrap(options);
+  check_atlas(sphere, bounded);
+  for(const FFM::Chart_summary& chart : bounded.charts) {
+    // From its triangles anew: at most a twentieth of the area is beyond the bound.
+    BOOST_TEST(chart.stretch_95 <= 1.15);
+    BOOST_TEST(chart.stretch_95 >= 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sharp_edges_are_seams)
+{
+  // A ridged sheet turns by 60 degrees at each ridge.
+  Soup soup = sheet_soup(12, 5, {});
+  for(auto& p : soup.points)
+    p = Mesh::Point(p.x() * 0.5, p.y(), std::sqrt(0.75) * (std::lround(p.x()) % 2));
+  Atlas_surface ridged(soup);
+  FFM::Unwrap_options options;
+  BOOST_TEST(ridged.unwrap(options).charts.size() == 1u);
+  options.seam_angle = 119 * CGAL_PI / 180;
+  const FFM::Unwrap_summary summary = ridged.unwrap(options);
+  check_atlas(ridged, summary);
+  BOOST_TEST(summary.charts.size() == 12u);
+  BOOST_TEST(summary.seam_edges == 11 * 5);
+  options.seam_angle = 121 * CGAL_PI / 180;
+  BOOST_TEST(ridged.unwrap(options).charts.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(charts_are_split_for_packing)
+{
+  // An L of two long arms leaves most of any square empty; its halves lie side by side.
+  std::set<std::array<int, 2>> missing;
+  for(int i = 2; i < 16; ++i)
+    for(int j = 2; j < 16; ++j)
+      missing.insert({i, j});
+  Soup soup = sheet_soup(16, 16, missing);
+  for(auto& p : soup.points)
+    p = Mesh::Point(p.x(), p.y(), 0);
+  Atlas_surface angle(soup);
+  FFM::Unwrap_options options;
+  options.min_occupancy = 0;
+  const FFM::Unwrap_summary whole = angle.unwrap(options);
+  check_atlas(angle, whole);
+  BOOST_TEST(whole.charts.size() == 1u);
+  const FFM::Unwrap_summary split = angle.unwrap();
+  check_atlas(angle, split);
+  BOOST_TEST(split.splits_for_packing >= 1);
+  BOOST_TEST(split.charts.size() == 1u + split.splits_for_packing);
+  BOOST_TEST(split.occupancy > 1.2 * whole.occupancy);
+  // What is square already stays whole.
+  Soup square = sheet_soup(8, 8, {});
+  Atlas_surface full(square);
+  BOOST_TEST(full.unwrap().charts.size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(constructed_parts_unfold)
 {
   // Boxes of two triangles a side, one of them flat; a drum; a star with a hub, whose caps are flat and not convex.
@@ -220,6 +284,50 @@ BOOST_AUTO_TEST_CASE(constructed_parts_unfold)
         BOOST_TEST(!part.seam[e]);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(coarse_meshes_of_round_shapes_are_not_constructed)
+{
+  // An icosahedron whose faces are divided once and put on the sphere: between the former faces it turns by more than within them.
+  const double p = 0.5 * (1 + std::sqrt(5.));
+  Soup soup;
+  for(const double a : {-1., 1.})
+    for(const double b : {-p, p}) {
+      soup.points.emplace_back(0, a, b);
+      soup.points.emplace_back(a, b, 0);
+      soup.points.emplace_back(b, 0, a);
+    }
+  const auto between = [&soup](int i, int j) { return CGAL::midpoint(soup.points[i], soup.points[j]); };
+  Soup ball;
+  std::map<Mesh::Point, int> numbers;
+  const auto number_of = [&](const Mesh::Point& q) {
+    const auto entry = numbers.emplace(q, static_cast<int>(ball.points.size()));
+    if(entry.second)
+      ball.points.push_back(CGAL::ORIGIN + (q - CGAL::ORIGIN) / std::sqrt((q - CGAL::ORIGIN).squared_length()));
+    return entry.first->second;
+  };
+  const auto is_edge = [&soup](int i, int j) { return std::abs(CGAL::squared_distance(soup.points[i], soup.points[j]) - 4) < 1e-9; };
+  for(int i = 0; i < 12; ++i)
+    for(int j = i + 1; j < 12; ++j)
+      for(int k = j + 1; k < 12; ++k) {
+        if(!is_edge(i, j) || !is_edge(j, k) || !is_edge(k, i))
+          continue;
+        const auto& q = soup.points;
+        const bool is_outward = CGAL::determinant(q[i] - CGAL::ORIGIN, q[j] - CGAL::ORIGIN, q[k] - CGAL::ORIGIN) > 0;
+        const int a = number_of(q[i]), b = number_of(q[is_outward ? j : k]), c = number_of(q[is_outward ? k : j]);
+        const int ab = number_of(between(i, is_outward ? j : k)), bc = number_of(between(j, k)),
+                  ca = number_of(between(i, is_outward ? k : j));
+        for(const std::array<int, 3>& t : {std::array<int, 3>{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+          ball.triangles.push_back({t[0], t[1], t[2]});
+      }
+  Atlas_surface round(ball);
+  FFM::Unwrap_options options;
+  options.min_occupancy = 0;
+  const FFM::Unwrap_summary summary = round.unwrap(options);
+  check_atlas(round, summary);
+  BOOST_TEST(round.mesh.number_of_faces() == 80u);
+  BOOST_TEST(summary.charts.size() <= 3u);
+  BOOST_TEST(summary.energy <= 1.025);
 }
 
 BOOST_AUTO_TEST_CASE(charts_are_laid_into_holes)

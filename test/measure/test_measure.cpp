@@ -89,7 +89,7 @@ BOOST_FIXTURE_TEST_CASE(isometry, Sheet)
   BOOST_TEST(report.flips == 0);
   BOOST_TEST(near(report.image_area, report.rest_area));
   for(double value : {report.energy, report.energy_of_similarity, report.max_energy, report.mean_angle_distortion,
-                      report.mean_area_distortion, report.min_singular_value, report.max_singular_value})
+                      report.mean_area_distortion, report.min_singular_value, report.max_singular_value, report.stretch_95})
     BOOST_TEST(near(value, 1));
 }
 
@@ -104,6 +104,7 @@ BOOST_FIXTURE_TEST_CASE(scaling, Sheet)
     BOOST_TEST(near(report.mean_area_distortion, report.energy));
     BOOST_TEST(near(report.min_singular_value, t));
     BOOST_TEST(near(report.max_singular_value, t));
+    BOOST_TEST(near(report.stretch_95, 1));
     BOOST_TEST(near(report.image_area, t * t * report.rest_area));
   }
 }
@@ -118,6 +119,7 @@ BOOST_FIXTURE_TEST_CASE(shear_and_stretch, Sheet)
     BOOST_TEST(near(report.mean_angle_distortion, 1 + k * k / 2));
     BOOST_TEST(near(report.mean_area_distortion, 1));
     BOOST_TEST(near(report.max_singular_value, 0.5 * (k + std::sqrt(k * k + 4))));
+    BOOST_TEST(near(report.stretch_95, report.max_singular_value));
     BOOST_TEST(near(report.min_singular_value, 0.5 * (std::sqrt(k * k + 4) - k), 1e-12));
   }
   const double a = 3, b = 0.25;
@@ -127,6 +129,7 @@ BOOST_FIXTURE_TEST_CASE(shear_and_stretch, Sheet)
   BOOST_TEST(near(report.mean_angle_distortion, 0.5 * (a / b + b / a)));
   BOOST_TEST(near(report.mean_area_distortion, 0.5 * (a * b + 1 / (a * b))));
   BOOST_TEST(near(report.max_singular_value, a));
+  BOOST_TEST(near(report.stretch_95, std::sqrt(a / b)));
   BOOST_TEST(near(report.min_singular_value, b));
 }
 

@@ -73,7 +73,8 @@ public:
               << " after the best scaling), largest " << report.max_energy << '\n'
               << "mean angle distortion " << report.mean_angle_distortion << ", mean area distortion " << report.mean_area_distortion
               << '\n'
-              << "singular values [" << report.min_singular_value << ", " << report.max_singular_value << "]\n";
+              << "singular values [" << report.min_singular_value << ", " << report.max_singular_value
+              << "]; after the best scaling 95 % of the area are stretched or compressed by at most " << report.stretch_95 << '\n';
     return report.flips == 0 ? 0 : exit_code(Status::start_not_flip_free);
   }
 

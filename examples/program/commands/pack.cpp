@@ -7,6 +7,7 @@
 
 #include "../commands.h"
 #include "../layout.h"
+#include "../packing_arguments.h"
 #include "../report.h"
 
 #include <CGAL/Flip_free_maps/measure_distortion.h>
@@ -29,8 +30,7 @@ public:
       application.add_subcommand("pack", "Pack the islands of existing texture coordinates into the unit square, without flattening anew");
     app->add_option("input", m_input, "OBJ or PLY with texture coordinates")->required();
     add_surface_output(*app, m_output, "the mesh with its islands in the unit square");
-    app->add_option("--margin", m_options.margin, "least distance between islands, in parts of the square's side")->capture_default_str();
-    app->add_flag("--no-rotation", m_no_rotation, "do not turn islands other than by quarters");
+    add_packing_options(*app, m_packing);
     app->add_option("--json", m_limits.json, "write the summary");
     app->add_flag("--quiet", m_limits.quiet, "print nothing but errors");
     add_picture_options(*app, m_pictures);
@@ -84,9 +84,7 @@ private:
         std::swap(packed.texture_triangles.back()[1], packed.texture_triangles.back()[2]);
       }
     }
-    FFM::Packing_options options = m_options;
-    options.rotate = !m_no_rotation;
-    summary = FFM::pack_charts(packed, options);
+    summary = FFM::pack_charts(packed, m_packing.chosen());
     if(!summary.is_valid())
       return;
     std::vector<std::size_t> owner(atlas.mesh.texture.size(), atlas.mesh.texture.size());
@@ -108,11 +106,10 @@ private:
 
   Method_arguments m_limits;
   Picture_arguments m_pictures;
-  FFM::Packing_options m_options;
+  Packing_arguments m_packing;
   Surface_output m_output;
   std::vector<File_argument> m_files;
   std::string m_input;
-  bool m_no_rotation = false;
 };
 
 } // namespace

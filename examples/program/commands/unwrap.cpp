@@ -9,6 +9,7 @@
 #include "../commands.h"
 #include "../layout.h"
 #include "../number_files.h"
+#include "../packing_arguments.h"
 #include "../repair_polygons.h"
 #include "../report.h"
 
@@ -35,6 +36,8 @@ const std::map<std::string, Branches> branches{{"none", Branches::none},
                                                {"curvature-peaks", Branches::curvature_peaks},
                                                {"farthest-points", Branches::farthest_points}};
 
+double radians(double degrees) { return degrees * CGAL_PI / 180; }
+
 class Unwrap : public Command
 {
 public:
@@ -44,12 +47,27 @@ public:
     app->add_option("input", m_input, "polygons: OFF, OBJ, PLY or STL; closed or with holes, of any genus, of any number of components")
       ->required();
     add_surface_output(*app, m_output, "the mesh with texture coordinates in the unit square");
-    app->add_option("--margin", m_options.packing.margin, "least distance between charts, in parts of the square's side")
-      ->capture_default_str();
-    app->add_flag("--no-rotation", m_no_rotation, "do not turn charts other than by quarters");
+    add_packing_options(*app, m_packing);
     app->add_flag("--no-pack", m_no_pack, "leave the charts where they are, upon each other, in the units of the surface");
-    app->add_option("--max-distortion", m_options.max_distortion,
-                    "split charts until their mean symmetric Dirichlet energy is at most this; 1 is an isometry");
+    app
+      ->add_option("--max-distortion", m_options.max_distortion,
+                   "split charts until their mean symmetric Dirichlet energy is at most this; 1 is an isometry; inf for no bound")
+      ->capture_default_str();
+    app->add_option("--max-stretch", m_options.max_stretch,
+                    "split charts until 95 % of their area are stretched or compressed by at most this factor in any direction");
+    app
+      ->add_option("--hard-edges", m_hard_edges,
+                   "edges across which the surface turns by at least so many degrees are seams, as lightmaps and hard normals want")
+      ->check(CLI::Range(0., 180.));
+    app
+      ->add_option(
+        "--crease-angle", m_crease_angle,
+        "edges across which the surface turns by at least so many degrees, 28.6 if not given, are creases, which seams follow first")
+      ->check(CLI::Range(0., 180.));
+    app
+      ->add_option("--min-occupancy", m_options.min_occupancy,
+                   "while less than this part of the square is covered, charts that leave much of it empty are split; 0: never")
+      ->capture_default_str();
     app->add_option("--seams", m_seams,
                     "file with the numbers of two vertices of the input, from 0, per line: the edges between them are cut");
     app->add_flag(
@@ -119,7 +137,11 @@ private:
     FFM::Unwrap_options options = m_options;
     options.strict = m_strict;
     options.pack = !m_no_pack;
-    options.packing.rotate = !m_no_rotation;
+    options.packing = m_packing.chosen();
+    if(m_crease_angle > 0)
+      options.crease_angle = radians(m_crease_angle);
+    if(m_hard_edges > 0)
+      options.seam_angle = radians(m_hard_edges);
     options.cut.branches = branches.at(m_branches);
     if(m_keep_seams) {
       options.cut.branches = Branches::none;
@@ -186,10 +208,12 @@ private:
   Method_arguments m_limits;
   Picture_arguments m_pictures;
   FFM::Unwrap_options m_options;
+  Packing_arguments m_packing;
   Surface_output m_output;
   std::vector<File_argument> m_files;
   std::string m_input, m_seams, m_branches = "extremities";
-  bool m_no_pack = false, m_no_rotation = false, m_repair = false, m_strict = false, m_keep_seams = false;
+  double m_crease_angle = 0, m_hard_edges = 0;
+  bool m_no_pack = false, m_repair = false, m_strict = false, m_keep_seams = false;
 };
 
 } // namespace

@@ -191,8 +191,11 @@ py::tuple unwrap(const py::array& points, const py::array& values, const py::arr
   options.packing = packing_options(given);
   read(given, "pack", options.pack);
   read(given, "max_distortion", options.max_distortion);
+  read(given, "max_stretch", options.max_stretch);
+  read(given, "seam_angle", options.seam_angle);
   read(given, "crease_angle", options.crease_angle);
   read(given, "max_length", options.max_length);
+  read(given, "min_occupancy", options.min_occupancy);
   read(given, "strict", options.strict);
   read(given, "time_limit", options.max_seconds);
   Watch watch(progress);

@@ -26,8 +26,8 @@ def _cut_options(arguments):
 
 def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pack=None, margin=None, resolution=None,
            padding=None, rotate=None, branches=None, target_energy=None, number_of_points=None, join_borders=None, cut_disks=None,
-           feature_cost=None, crease_preference=None, crease_angle=None, max_length=None, strict=None, tolerance=None,
-           max_iterations=None, time_limit=None, dtype=np.float64, progress=None):
+           feature_cost=None, crease_preference=None, max_stretch=None, seam_angle=None, crease_angle=None, max_length=None,
+           min_occupancy=None, strict=None, tolerance=None, max_iterations=None, time_limit=None, dtype=np.float64, progress=None):
     """Makes a texture atlas of any mesh of polygons: cuts it open, flattens the pieces, packs them into the unit square.
 
     No polygon is flipped and no two polygons overlap, by exact predicates on the numbers that are returned.
@@ -61,10 +61,16 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
         `cut_to_disk`.
     join_borders, cut_disks, feature_cost, crease_preference
         See `cut_to_disk`.
+    max_stretch : float, default infinity
+        At least 95 % of the area of each chart are stretched or compressed by at most this factor.
+    seam_angle : float, default infinity
+        Edges across which the surface turns by so many radians or more are seams.
     crease_angle : float, default 0.5
         Radians by which the surface turns across a crease.
     max_length : float, default 1.2
         Long charts beyond this, in sides of a square of the surface's area, are split.
+    min_occupancy : float, default 0.65
+        While less than this part of the square is covered, charts that leave much of it empty are split, if the seams are short.
     strict : bool, default False
         Whether surfaces are refused that are no triangle meshes whose faces have an area and are joined by their indices to a
         manifold.
@@ -94,7 +100,8 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
     values, offsets, columns = _checks.polygons(faces)
     given = _checks.method(locals())
     given.update(_cut_options(locals()))
-    given.update(_checks.chosen(locals(), "pack", *_PACKING, "max_distortion", "crease_angle", "max_length", "strict"))
+    given.update(_checks.chosen(locals(), "pack", *_PACKING, "max_distortion", "max_stretch", "seam_angle", "crease_angle",
+                                 "max_length", "min_occupancy", "strict"))
     dtype = np.dtype(dtype)
     if dtype not in (np.float64, np.float32):
         raise TypeError(f"dtype must be float64 or float32, not {dtype}")

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/cutting/Cut_options.h>
 #include <CGAL/Flip_free_maps/internal/error_message.h>
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -48,14 +49,22 @@ struct Unwrap_options
   /// `Cut_options::target_energy` to itself, disks are cut, too, and so are surfaces between their creases, see `crease_angle`.
   /// With infinity, only the topology and `cut` ask for seams.
   double max_distortion = 1.025;
+  /// At least 95 percent of the area of each chart are stretched or compressed by at most this factor in any direction, where 1 is an
+  /// isometry; above 1. Charts that exceed it are treated as those above `max_distortion`.
+  double max_stretch = std::numeric_limits<double>::infinity();
+  /// Edges across which the surface turns by at least this angle, in radians, are seams. Positive; infinity for none.
+  double seam_angle = std::numeric_limits<double>::infinity();
   /// Edges across which the surface turns by at least this angle, in radians, are creases. Flat and rolled regions between creases
   /// become charts of their own, or parts of one that unfolds about straight edges, if the surface consists of nothing else and
   /// `max_distortion` is finite. Positive; infinity for none.
   double crease_angle = 0.5;
   /// Charts that are more than 2.2 times as long as wide, and longer than this times the side of a square with the area of the
-  /// surface, are split if charts are packed and `max_distortion` is finite: a single long one would leave most of the square
+  /// surface, are split if charts are packed and distortion is bounded: a single long one would leave most of the square
   /// empty. At least 1; infinity for any length.
   double max_length = 1.2;
+  /// While charts would cover less than this part of the square, those that leave most of it empty are split in two where their
+  /// parts fill it better, if the seams are short, charts are packed and distortion is bounded. In [0, 1]; 0 for no such splits.
+  double min_occupancy = 0.65;
   /// Whether surfaces are refused that are no triangle meshes whose faces have an area and are joined by their indices to a manifold.
   /// Otherwise all are taken, see `unwrap()`.
   bool strict = false;
@@ -73,14 +82,23 @@ struct Unwrap_options
       return false;
     if(!(max_distortion > 1))
       return internal::fail(message, "max_distortion must be above 1");
+    if(!(max_stretch > 1))
+      return internal::fail(message, "max_stretch must be above 1");
+    if(!(seam_angle > 0))
+      return internal::fail(message, "seam_angle must be positive");
     if(!(crease_angle > 0))
       return internal::fail(message, "crease_angle must be positive");
     if(!(max_length >= 1))
       return internal::fail(message, "max_length must be at least 1");
+    if(!(min_occupancy >= 0 && min_occupancy <= 1))
+      return internal::fail(message, "min_occupancy must be in [0, 1]");
     if(!(max_seconds >= 0))
       return internal::fail(message, "max_seconds must not be negative");
     return true;
   }
+
+  /// Whether there is a bound on the distortion of charts.
+  bool is_bounded() const { return std::isfinite(max_distortion) || std::isfinite(max_stretch); }
 };
 
 } // namespace Flip_free_maps

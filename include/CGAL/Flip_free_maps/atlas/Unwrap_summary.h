@@ -25,6 +25,7 @@ struct Chart_summary : Outcome
   double area = 0;        ///< area on the surface
   double energy = -1;     ///< mean symmetric Dirichlet energy before all charts were scaled alike (an isometry has 1)
   double max_energy = -1; ///< largest symmetric Dirichlet energy of a face
+  double stretch_95 = -1; ///< the factor by which 95 % of the area are stretched or compressed at most in any direction
   int iterations = 0;     ///< steps of the minimizer
   double seconds = 0;     ///< wall-clock seconds of its flattening
 
@@ -39,6 +40,7 @@ struct Chart_summary : Outcome
     visit("area", area);
     visit("energy", energy);
     visit("max_energy", max_energy);
+    visit("stretch_95", stretch_95);
     visit("iterations", iterations);
     visit("seconds", seconds);
   }
@@ -74,6 +76,7 @@ struct Unwrap_summary : Outcome
   int splits_of_overlaps = 0;                         ///< how often a chart was split because it overlapped itself
   int splits_of_distortion = 0;                       ///< how often a chart was split because of `Unwrap_options::max_distortion`
   int splits_of_length = 0;                           ///< how often a chart was split because of `Unwrap_options::max_length`
+  int splits_for_packing = 0;                         ///< how often a chart was split because of `Unwrap_options::min_occupancy`
   int splits_of_failures = 0;                         ///< how often a chart was split because it could not be flattened
   double energy = -1;                                 ///< mean symmetric Dirichlet energy, weighted by areas on the surface
   std::int64_t flips = -1;                            ///< triangles that are not positively oriented, by exact predicates:
@@ -113,6 +116,7 @@ struct Unwrap_summary : Outcome
     visit("splits_of_overlaps", splits_of_overlaps, if_any(splits_of_overlaps));
     visit("splits_of_distortion", splits_of_distortion, if_any(splits_of_distortion));
     visit("splits_of_length", splits_of_length, if_any(splits_of_length));
+    visit("splits_for_packing", splits_for_packing, if_any(splits_for_packing));
     visit("splits_of_failures", splits_of_failures, if_any(splits_of_failures));
     visit("seconds", internal::Unwrap_seconds{cut_seconds, flatten_seconds, pack_seconds, certify_seconds, seconds}, if_valid);
     visit("cut", cut, Field_role::detail);

@@ -32,6 +32,8 @@ struct Distortion_report : Outcome
   double mean_area_distortion = 0;  ///< mean of (s_1 s_2 + 1/(s_1 s_2)) / 2, 1 for an equiareal map
   double min_singular_value = 0;    ///< smallest singular value, negative on flipped triangles
   double max_singular_value = 0;    ///< largest singular value
+  double stretch_95 = 0;            ///< the factor by which 95 % of the area are stretched or compressed at most in any direction,
+                                    ///< after the best uniform scaling; infinite when more than that is flipped
 
   Distortion_report() : Outcome(Status::empty_mesh, "") {}
 
@@ -52,6 +54,7 @@ struct Distortion_report : Outcome
     visit("mean_area_distortion", mean_area_distortion, if_valid);
     visit("min_singular_value", min_singular_value, if_valid);
     visit("max_singular_value", max_singular_value, if_valid);
+    visit("stretch_95", stretch_95, if_valid);
   }
 };
 

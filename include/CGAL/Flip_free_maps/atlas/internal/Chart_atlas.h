@@ -11,9 +11,8 @@
 #include <CGAL/Flip_free_maps/atlas/Unwrap_options.h>
 #include <CGAL/Flip_free_maps/atlas/Unwrap_summary.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_maps.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
-#include <CGAL/Flip_free_maps/atlas/internal/Chart_surface.h>
-#include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
 #include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/for_each_index.h>
@@ -44,11 +43,11 @@ namespace internal {
 
 // From flat arrays of triangles to charts without overlaps.
 template <typename Traits>
-class Chart_atlas : public Chart_surface
+class Chart_atlas : public Chart_maps
 {
 public:
   Chart_atlas(const Linked_triangles& surface, double begin, const Traits& traits, const Unwrap_options& options, Unwrap_summary& summary)
-    : Chart_surface(surface, begin, summary), m_traits(traits), m_options(options)
+    : Chart_maps(surface, begin, options, summary), m_traits(traits)
   {}
 
   // Cuts, flattens, packs, and tests the atlas in the numbers that points of the given type can hold.
@@ -69,10 +68,11 @@ public:
     std::vector<std::int32_t> others;
     {
       const Phase_timer timer(m_summary.flatten_seconds);
+      cut_sharp_edges();
       enqueue_parts(all);
       std::deque<Piece> parts;
       parts.swap(m_queue);
-      if(std::isfinite(m_options.max_distortion)) {
+      if(m_options.is_bounded()) {
         for(const Piece& piece : parts)
           cut_creases(piece);
         enqueue_parts(all);
@@ -88,7 +88,7 @@ public:
       const std::vector<char> was_cut = m_is_cut;
       Cut_options cut = m_options.cut;
       cut.target_energy = first_target();
-      cut.cut_disks = cut.cut_disks || std::isfinite(m_options.max_distortion);
+      cut.cut_disks = cut.cut_disks || m_options.is_bounded();
       m_summary.cut = cut_triangles(m_surface, m_is_cut, m_is_feature, cut, [this] { return must_stop(); });
       m_summary.cut.seam_length = std::ldexp(m_summary.cut.seam_length, m_surface.exponent);
       for(const Flat_chart& chart : m_charts)
@@ -103,10 +103,11 @@ public:
       while(!m_queue.empty())
         if(!process_some())
           return false;
-      sort_charts();
     }
     {
       const Phase_timer timer(m_summary.pack_seconds);
+      split_for_packing([this] { return must_stop(); });
+      sort_charts();
       if(!m_options.pack)
         scale_back<Point>();
       else if(!pack<Point>())
@@ -136,11 +137,7 @@ public:
     }
   }
 
-  const std::vector<Flat_chart>& charts() const { return m_charts; }
-
 private:
-  using Image = Eigen::Matrix<double, 2, 3>;
-
   template <typename Point>
   bool pack()
   {
@@ -237,8 +234,6 @@ private:
     return true;
   }
 
-  double remaining_seconds() const { return m_is_stopped ? 0 : (std::max)(0., m_options.max_seconds - (wall_seconds() - m_begin)); }
-
   // Asks the observer and looks at the clock, while seams are planned and charts are packed; remembers that it cut them short.
   bool must_stop()
   {
@@ -290,34 +285,6 @@ private:
     return summary;
   }
 
-  // The map that the piece has as a part of a larger one.
-  bool inherit(const Piece& piece, const Open_piece& open, Positions<2>& x) const
-  {
-    x.resize(2, open.surface.points.cols());
-    for(std::size_t e = 0; e < piece.faces.size(); ++e)
-      for(int k = 0; k < 3; ++k)
-        x.col(open.surface.triangles[e][k]) = m_image[piece.faces[e]].col(k);
-    return x.allFinite();
-  }
-
-  // Whether a map is without overlaps, and if not, where one is. Where it touches itself, as parts with right angles do when they
-  // are unfolded, its border is moved inwards by a millionth of the atlas: what is apart by rounding only would overlap once it is
-  // turned and moved.
-  bool draw_apart(const Open_piece& open, Positions<2>& x, std::pair<std::int32_t, std::int32_t>& overlap) const
-  {
-    const double gap = 1e-6 * std::sqrt(m_area);
-    const auto is_apart = [&](const Positions<2>& y) {
-      return !find_overlap(open, with_moved_border(open, y, gap), overlap) && !find_overlap(open, y, overlap);
-    };
-    if(is_apart(x))
-      return true;
-    Positions<2> moved = with_moved_border(open, x, -2 * gap);
-    if(!is_flip_free(open.surface.triangles, moved) || !is_apart(moved))
-      return !find_overlap(open, x, overlap);
-    x.swap(moved);
-    return true;
-  }
-
   // A piece and its map, if it has one, and how good that is.
   struct Flat_piece
   {
@@ -328,12 +295,6 @@ private:
     std::int32_t worst = -1; // the triangle that is distorted most
     std::pair<std::int32_t, std::int32_t> overlap;
   };
-
-  // Seams go between polygons only.
-  bool can_be_split(const Piece& piece) const
-  {
-    return m_surface.polygons[piece.faces[0]] != m_surface.polygons[piece.faces.back()] || number_of_polygons(piece.faces) > 1;
-  }
 
   // Flattens the first pieces of the queue, at the same time if there are threads, and keeps them as charts, cuts or splits them
   // one by one, so that results do not depend on threads. False when none of that is possible.
@@ -368,7 +329,7 @@ private:
       chart.message = "a part of a larger chart";
       flat.is_overlapping = !draw_apart(open, flat.x, flat.overlap);
       flat.worst = measure(piece, open, flat.x, chart);
-      flat.is_mapped = flat.is_overlapping ? can_be_split(piece) : chart.energy <= m_options.max_distortion;
+      flat.is_mapped = flat.is_overlapping ? can_be_split(piece) : !is_too_distorted(chart);
     }
     if(flat.is_mapped) {
       chart.seconds = wall_seconds() - begin;
@@ -434,18 +395,18 @@ private:
         return fail(Status::result_not_representable,
                     "face number " + std::to_string(m_surface.polygons[piece.faces[0]]) + " was not laid flat without overlaps");
       ++m_summary.splits_of_overlaps;
-      piece.is_part = std::isfinite(m_options.max_distortion) && chart.energy <= m_options.max_distortion;
+      piece.is_part = m_options.is_bounded() && !is_too_distorted(chart);
       return split(piece, open, flat.overlap);
     }
     // Without time for flattening a part is as distorted as the whole.
-    if(chart.energy > m_options.max_distortion && can_be_split(piece) && remaining_seconds() > 0) {
+    if(is_too_distorted(chart) && can_be_split(piece) && remaining_seconds() > 0) {
       if(piece.recuts < MOST_RECUTS && open.is_mesh && m_options.cut.branches == Cut_options::Branches::extremities) {
         Cut_options cut = m_options.cut;
         cut.cut_disks = true;
         cut.target_energy = piece.target > 0 ? piece.target : first_target();
         ++piece.recuts;
         // Less is expected in the proportion of what is wanted to what came out, and less again if that was so already.
-        double factor = CAUTION * (m_options.max_distortion - 1) / (chart.energy - 1);
+        double factor = CAUTION / excess(chart);
         bool is_cut = false;
         for(int i = 0; i < MOST_RECUTS && !is_cut; ++i, factor = 0.5) {
           cut.target_energy = 1 + factor * (cut.target_energy - 1);
@@ -474,51 +435,6 @@ private:
   // The energy that is expected when the surface is cut for the first time. Maps turn out better than that, since their borders
   // are free; those that do not are cut again.
   double first_target() const { return (std::min)(m_options.cut.target_energy, 1 + HOPE * (m_options.max_distortion - 1)); }
-
-  // Whether a chart alone would leave half of the square empty, since it is longer than the side of a square with the area of all.
-  bool is_too_long(const Piece& piece, const Positions<2>& x) const
-  {
-    if(!m_options.pack || !std::isfinite(m_options.max_distortion) || piece.faces.size() < 4 || !can_be_split(piece) ||
-       remaining_seconds() == 0)
-      return false;
-    const Vector<2> direction = direction_of_smallest_box(x);
-    Matrix<2> rotation;
-    rotation << direction[0], direction[1], -direction[1], direction[0];
-    const Vector<2> size = extent(rotation * x);
-    const double length = size.maxCoeff(), width = size.minCoeff();
-    return length > m_options.max_length * std::sqrt(m_area) && length > LONG * width;
-  }
-
-  // Enters the distortion of a map into the account of a chart, and remembers the map.
-  // Returns the triangle that is distorted most.
-  std::int32_t measure(const Piece& piece, const Open_piece& open, const Positions<2>& x, Chart_summary& chart)
-  {
-    Distortion_measure measure;
-    std::pair<double, std::int32_t> worst(0, 0);
-    for(std::size_t e = 0; e < piece.faces.size(); ++e) {
-      Matrix<3> points;
-      Image& image = m_image[piece.faces[e]];
-      for(int k = 0; k < 3; ++k) {
-        points.col(k) = open.surface.points.col(open.surface.triangles[e][k]);
-        image.col(k) = x.col(open.surface.triangles[e][k]);
-      }
-      const double energy = measure.add(points, image);
-      if(energy > worst.first)
-        worst = {energy, static_cast<std::int32_t>(e)};
-    }
-    const Distortion_report report = measure.report();
-    chart.area = report.rest_area; // in the user's units after sort_charts()
-    chart.energy = report.energy;
-    chart.max_energy = report.max_energy;
-    return worst.second;
-  }
-
-  void keep(Piece& piece, const Open_piece& open, Positions<2>& x, const Chart_summary& chart)
-  {
-    m_faces_done += chart.faces;
-    m_charts.push_back({open.surface.triangles, std::move(x), std::move(piece.faces)});
-    m_summary.charts.push_back(chart);
-  }
 
   // Keeps a piece with its holes where joining the borders by seams gains nothing: where it is nearly flat.
   bool keep_holes(Piece& piece)
@@ -570,24 +486,36 @@ private:
     return true;
   }
 
+  // Cuts the surface along the edges that are to be seams because of their angle.
+  void cut_sharp_edges()
+  {
+    if(!std::isfinite(m_options.seam_angle))
+      return;
+    for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_surface.opposite.size()); ++h)
+      if(h < m_surface.opposite[h] && turns_by(h, m_options.seam_angle))
+        mark_seam(h);
+  }
+
+  // Whether the surface turns by at least an angle across the edge of a halfedge, which has two triangles.
+  bool turns_by(std::int32_t h, double angle) const
+  {
+    return !m_surface.is_diagonal(h) &&
+           turning_angle(m_surface.triangles[h / 3], m_surface.triangles[m_surface.opposite[h] / 3], m_surface.points) >= angle;
+  }
+
   // Cuts a piece of flat and rolled regions between creases.
   void cut_creases(const Piece& piece)
   {
     bool is_any = false;
     for(std::size_t i = 0; i < piece.faces.size() && !is_any; ++i)
       for(std::int32_t h = 3 * piece.faces[i]; h < 3 * piece.faces[i] + 3; ++h)
-        is_any = is_any ||
-                 (neighbor(h) >= 0 && !m_surface.is_diagonal(h) &&
-                  turning_angle(m_surface.triangles[h / 3], m_surface.triangles[neighbor(h)], m_surface.points) >= m_options.crease_angle);
+        is_any = is_any || (neighbor(h) >= 0 && turns_by(h, m_options.crease_angle));
     if(!is_any)
       return;
     const Open_piece open = this->open(piece.faces);
     for(const std::int32_t h : Chart_creases(open.surface, m_options.crease_angle).cuts())
       mark_seam(original_halfedge(piece, h));
   }
-
-  // The halfedge of the surface that one of a piece was.
-  static std::int32_t original_halfedge(const Piece& piece, std::int32_t h) { return 3 * piece.faces[h / 3] + h % 3; }
 
   // Cuts a piece by more seams, and tells whether there are any: the parts of a split surface need not be disks, and the
   // distortion that was expected is not the true one.
@@ -609,76 +537,12 @@ private:
     return true;
   }
 
-  // Sorts by areas in the units of `m_surface`, since in the user's they may exceed the range of double precision.
-  void sort_charts()
-  {
-    std::vector<std::size_t> order(m_charts.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [this](std::size_t a, std::size_t b) { return m_summary.charts[a].area > m_summary.charts[b].area; });
-    std::vector<Flat_chart> charts;
-    std::vector<Chart_summary> summaries;
-    for(const std::size_t c : order) {
-      charts.push_back(std::move(m_charts[c]));
-      summaries.push_back(std::move(m_summary.charts[c]));
-    }
-    m_charts.swap(charts);
-    m_summary.charts.swap(summaries);
-    for(Chart_summary& chart : m_summary.charts) {
-      m_areas.push_back(chart.area);
-      chart.area = std::ldexp(chart.area, 2 * m_surface.exponent);
-    }
-  }
-
-  // Seams are the edges with two images: an edge that was cut alone, at both ends of which the surface is not, has one.
-  void count()
-  {
-    const std::size_t size = m_surface.triangles.size();
-    std::vector<std::int32_t> chart_of(size);
-    std::vector<std::array<std::int32_t, 3>> elements(size);
-    double energy = 0, area = 0;
-    for(std::size_t c = 0; c < m_charts.size(); ++c) {
-      for(std::size_t e = 0; e < m_charts[c].faces.size(); ++e) {
-        chart_of[m_charts[c].faces[e]] = static_cast<std::int32_t>(c);
-        elements[m_charts[c].faces[e]] = m_charts[c].elements[e];
-      }
-      energy += m_areas[c] * m_summary.charts[c].energy;
-      area += m_areas[c];
-    }
-    m_summary.energy = energy / area;
-    m_summary.seam_edges = 0;
-    m_summary.seam_length = 0;
-    const auto image = [&](std::int32_t corner) { return elements[corner / 3][corner % 3]; };
-    for(std::int32_t h = 0; h < static_cast<std::int32_t>(3 * size); ++h) {
-      const std::int32_t g = m_surface.opposite[h];
-      if(g < h)
-        continue;
-      const std::int32_t h_end = next_in_triangle(h), g_end = next_in_triangle(g);
-      const bool is_one = chart_of[h / 3] == chart_of[g / 3] && image(h) == image(g_end) && image(g) == image(h_end);
-      m_is_cut[h] = m_is_cut[g] = !is_one;
-      if(is_one)
-        continue;
-      ++m_summary.seam_edges;
-      const auto& t = m_surface.triangles[h / 3];
-      m_summary.seam_length += (m_surface.points.col(t[h_end % 3]) - m_surface.points.col(t[h % 3])).norm();
-    }
-    m_summary.seam_length = std::ldexp(m_summary.seam_length, m_surface.exponent);
-  }
-
   static constexpr int MOST_RECUTS = 3;
-  // Halves of a rectangle that is twice as long as wide cover as much of a square as the whole.
-  static constexpr double LONG = 2.2;
   // What is expected over what comes out, of energies above 1; and the part of what is wanted that is asked for the second time.
   static constexpr double HOPE = 3, CAUTION = 0.8;
 
   Traits m_traits;
-  const Unwrap_options& m_options;
-  std::vector<Image> m_image; // of each face in the last map of it
-  std::vector<Flat_chart> m_charts;
-  std::vector<double> m_areas;                // of the charts on the surface, in the units of m_surface
-  double m_area = 0;                          // of the surface, likewise
-  std::int64_t m_faces = 0, m_faces_done = 0; // polygons of the user's
-  bool m_is_stopped = false;
+  std::int64_t m_faces = 0; // polygons of the user's
   bool m_is_cut_short = false;
 };
 

@@ -70,10 +70,15 @@ private:
 class Outline_packer
 {
 public:
+  // The work of the search, a number of rows that are shifted. So many take about a tenth of a second; with 0 there is the bisection
+  // only.
+  static constexpr std::int64_t MOST_WORK = 3000000;
+
   // Charts keep the distance from each other; the square's side is 1. The orientations are evenly spaced, and all of them may be
   // turned further if charts turn freely.
-  Outline_packer(const std::vector<Chart_outline>& outlines, double distance, int orientations, bool turns_freely)
-    : m_outlines(outlines), m_distance(distance), m_orientations(orientations), m_turns_freely(turns_freely)
+  Outline_packer(const std::vector<Chart_outline>& outlines, double distance, int orientations, bool turns_freely,
+                 std::int64_t most_work = MOST_WORK)
+    : m_outlines(outlines), m_distance(distance), m_orientations(orientations), m_turns_freely(turns_freely), m_most_work(most_work)
   {}
 
   // Whether there are packings with scales between these; none are looked for any more once `must_stop()` holds.
@@ -85,6 +90,8 @@ public:
       const double middle = std::sqrt(low * high);
       (fits(middle, must_stop) ? low : high) = middle;
     }
+    if(m_most_work == 0)
+      return m_scale > 0;
     // What fits does not depend on the scale monotonically, and other orders may do better.
     for(const double exponent : {0.25, 0.5, 1.}) {
       sort([exponent](const Vector<2>& box) { return box.maxCoeff() * std::pow(box.minCoeff(), exponent); });
@@ -101,9 +108,8 @@ public:
 private:
   static constexpr int SIZE = 512, WORDS = SIZE / 64;
   static constexpr double SCALE_TOLERANCE = 0.01;
-  // Of the search: the least gain that counts, and the number of rows that are shifted, which takes about a tenth of a second.
+  // The least gain that counts in the search.
   static constexpr double SEARCH_STEP = 0.004;
-  static constexpr std::int64_t MOST_WORK = 3000000;
   // Rounding of coordinates, in cells.
   static constexpr double SLACK = 1e-6;
 
@@ -130,7 +136,7 @@ private:
     const std::size_t n = m_outlines.size();
     std::minstd_rand random;
     std::vector<std::size_t> best = m_best_order.empty() ? m_order : m_best_order;
-    for(m_work = 0; m_work < MOST_WORK && !must_stop();) {
+    for(m_work = 0; m_work < m_most_work && !must_stop();) {
       m_order = best;
       // The chart that had no place comes earlier.
       const auto failed = std::find(m_order.begin(), m_order.end(), m_failed);
@@ -159,6 +165,7 @@ private:
   struct Figure
   {
     int width = 0, height = 0;            // 0 when it is too large
+    int longest = 0, longest_row = 0;     // the longest run, and its row
     std::vector<std::array<int, 3>> runs; // of each 16th row first
     Outline_place turn;
   };
@@ -175,6 +182,8 @@ private:
   // The first place in a row of the grid where a figure touches no cell that is taken; -1 if there is none.
   int first_place(const Figure& figure, int y);
 
+  static int longest_free_run(const Row& row);
+
   // Takes all cells that are nearer to a figure than the distance.
   void take(const Figure& figure, int x, int y);
 
@@ -182,6 +191,7 @@ private:
   bool fits(double scale, const MustStop& must_stop)
   {
     m_grid.assign(SIZE, Row{});
+    m_longest_free.assign(SIZE, SIZE);
     m_work += SIZE / 4; // what that costs, and an end to the search where nothing else does any work
     std::vector<Outline_place> places(m_outlines.size());
     for(const std::size_t c : m_order) {
@@ -223,10 +233,12 @@ private:
   double m_distance;
   int m_orientations;
   bool m_turns_freely;
+  std::int64_t m_most_work;
   double m_scale = -1;
   std::vector<std::size_t> m_order, m_best_order;
   std::vector<Outline_place> m_places;
   std::vector<Row> m_grid;
+  std::vector<int> m_longest_free;            // the longest run of free cells in each row of the grid
   std::vector<std::vector<Figure>> m_figures; // by chart and orientation, at one scale; empty runs where none was made
   double m_figures_scale = -1;
   double m_turn = 0; // of all orientations, in parts of the angle between two of them

@@ -100,7 +100,37 @@ CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Figure Outline_packer::figure(const C
   result.runs = mask.runs();
   std::stable_sort(result.runs.begin(), result.runs.end(),
                    [](const std::array<int, 3>& r, const std::array<int, 3>& t) { return r[2] % stride < t[2] % stride; });
+  for(const auto& run : result.runs)
+    if(run[1] - run[0] + 1 > result.longest) {
+      result.longest = run[1] - run[0] + 1;
+      result.longest_row = run[2];
+    }
   return result;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::longest_free_run(const Row& row)
+{
+  const auto both = [](const Row& a, const Row& b, Row& result) {
+    std::uint64_t any = 0;
+    for(int i = 0; i < WORDS; ++i)
+      any |= result[i] = a[i] & b[i];
+    return any != 0;
+  };
+  // Cells from which 1, 2, 4, ... are free; then the length is found digit by digit.
+  std::vector<Row> powers(1, row);
+  for(std::uint64_t& word : powers[0])
+    word = ~word;
+  Row next;
+  while(both(powers.back(), shifted(powers.back(), 1 << (powers.size() - 1)), next))
+    powers.push_back(next);
+  Row from = powers.back();
+  int length = 1 << (powers.size() - 1);
+  for(int digit = static_cast<int>(powers.size()) - 2; digit >= 0; --digit)
+    if(both(from, shifted(powers[digit], length), next)) {
+      from = next;
+      length += 1 << digit;
+    }
+  return both(from, from, next) ? length : 0;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Figure& Outline_packer::known_figure(std::size_t c, double scale, int orientation)
@@ -130,6 +160,9 @@ CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Row Outline_packer::shifted(const Row
 
 CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::first_place(const Figure& figure, int y)
 {
+  ++m_work;
+  if(m_longest_free[y + figure.longest_row] < figure.longest)
+    return -1;
   const int places = SIZE - figure.width + 1;
   Row free;
   for(int i = 0; i < WORDS; ++i)
@@ -181,6 +214,8 @@ CGAL_FLIP_FREE_MAPS_INLINE void Outline_packer::take(const Figure& figure, int x
         m_grid[row][i / 64] |= std::uint64_t(1) << (i % 64);
     }
   }
+  for(int row = (std::max)(0, y - reach); row < (std::min)(SIZE, y + figure.height + reach); ++row)
+    m_longest_free[row] = longest_free_run(m_grid[row]);
 }
 
 } // namespace internal

@@ -65,7 +65,14 @@ Positions<2> as_rounded_by(const Positions<2>& x)
 // The places of charts by their outlines, or those of their bounding boxes, whichever allow the larger scale.
 std::vector<Outline_place> places_by_outlines(const std::vector<Flat_chart>& charts, const std::vector<Positions<2>>& turned,
                                               const Rectangle_packer& boxes, const Packing_options& options,
-                                              const std::function<bool()>& must_stop, double& scale);
+                                              const std::function<bool()>& must_stop, std::int64_t most_work, double& scale);
+
+// A chart's positions about its centre, turned to its smallest box if it may be turned. Rounding is another one in the directions of
+// further attempts.
+Positions<2> turned_chart(const Positions<2>& x, bool may_turn, int attempt);
+
+// How much of the unit square charts cover at least, by a first packing of many.
+double expected_occupancy(const std::vector<Flat_chart>& charts, const Packing_options& options, const std::function<bool()>& must_stop);
 
 // Moves charts without flips into the unit square: each turned, all scaled alike, apart by the margin. Whatever the charts had, no flips or no overlaps, they have afterwards, in the numbers that the point type can hold; or the status says
 // otherwise and the charts stay as they are. `unrepresentable` receives the number of a chart that the point type is too coarse
@@ -95,22 +102,7 @@ void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& op
   std::vector<char> is_placed(charts.size(), 0);
   const int most_attempts = 8;
   const auto turn = [&](std::size_t c) {
-    const Positions<2> centered = charts[c].x.colwise() - charts[c].x.rowwise().mean().eval();
-    Vector<2> direction(1, 0);
-    if(attempts[c] != 1 && options.rotate)
-      direction = direction_of_smallest_box(centered);
-    // Rounding is another one in other directions.
-    if(attempts[c] > 1) {
-      const double angle = 1e-3 * (attempts[c] - 1);
-      direction = (direction + angle * Vector<2>(-direction[1], direction[0])).normalized();
-    }
-    if(direction == Vector<2>(1, 0))
-      turned[c] = centered;
-    else {
-      Matrix<2> rotation;
-      rotation << direction[0], direction[1], -direction[1], direction[0];
-      turned[c] = rotation * centered;
-    }
+    turned[c] = turned_chart(charts[c].x, options.rotate, attempts[c]);
     const Vector<2> size = extent(turned[c]);
     sizes[c] = {{size[0], size[1]}};
   };
@@ -125,7 +117,8 @@ void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& op
       summary.message = "the margin leaves no room for " + std::to_string(charts.size()) + " charts in the unit square";
       return;
     }
-    const std::vector<Outline_place> places = places_by_outlines(charts, turned, packer, options, must_stop, summary.scale);
+    const std::vector<Outline_place> places =
+      places_by_outlines(charts, turned, packer, options, must_stop, Outline_packer::MOST_WORK, summary.scale);
     is_done = true;
     for(std::size_t c = 0; c < charts.size(); ++c) {
       const Outline_place& place = places[c];

@@ -60,10 +60,28 @@ CGAL_FLIP_FREE_MAPS_INLINE double signed_area(const Flat_chart& chart, const Pos
   return area;
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE Positions<2> turned_chart(const Positions<2>& x, bool may_turn, int attempt)
+{
+  const Positions<2> centered = x.colwise() - x.rowwise().mean().eval();
+  Vector<2> direction(1, 0);
+  if(attempt != 1 && may_turn)
+    direction = direction_of_smallest_box(centered);
+  if(attempt > 1) {
+    const double angle = 1e-3 * (attempt - 1);
+    direction = (direction + angle * Vector<2>(-direction[1], direction[0])).normalized();
+  }
+  if(direction == Vector<2>(1, 0))
+    return centered;
+  Matrix<2> rotation;
+  rotation << direction[0], direction[1], -direction[1], direction[0];
+  return rotation * centered;
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const std::vector<Flat_chart>& charts,
                                                                          const std::vector<Positions<2>>& turned,
                                                                          const Rectangle_packer& boxes, const Packing_options& options,
-                                                                         const std::function<bool()>& must_stop, double& scale)
+                                                                         const std::function<bool()>& must_stop, std::int64_t most_work,
+                                                                         double& scale)
 {
   // Many small charts hardly have dents for others; and large distances leave none.
   const std::size_t most_charts = 2000;
@@ -92,7 +110,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const s
   // In the square that is left within the sides' margin.
   const double side = 1 - options.distance();
   const int orientations = !options.rotate || charts.size() > 256 ? 4 : charts.size() > 32 ? 8 : 16;
-  Outline_packer packer(outlines, options.distance() / side, orientations, options.rotate);
+  Outline_packer packer(outlines, options.distance() / side, orientations, options.rotate, most_work);
   if(packer.pack(scale / side, std::sqrt(1 / area), [&must_stop] { return must_stop && must_stop(); })) {
     scale = packer.scale() * side;
     places = packer.places();
@@ -102,6 +120,26 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const s
     }
   }
   return places;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE double expected_occupancy(const std::vector<Flat_chart>& charts, const Packing_options& options,
+                                                     const std::function<bool()>& must_stop)
+{
+  std::vector<Positions<2>> turned;
+  std::vector<std::array<double, 2>> sizes;
+  double area = 0;
+  for(const Flat_chart& chart : charts) {
+    turned.push_back(turned_chart(chart.x, options.rotate, 0));
+    const Vector<2> size = extent(turned.back());
+    sizes.push_back({{size[0], size[1]}});
+    area += signed_area(chart, chart.x);
+  }
+  Rectangle_packer boxes(sizes, options.distance());
+  if(!boxes.pack())
+    return 0;
+  double scale;
+  places_by_outlines(charts, turned, boxes, options, must_stop, 0, scale);
+  return area * scale * scale;
 }
 
 } // namespace internal

@@ -246,13 +246,25 @@ private:
   // there is none around the vertex.
   std::int32_t first_of_fan(std::int32_t corner) const;
 
+  // Where paths across an annulus lead: fans, known by their first corners, and vertices that are not on seams, known by -1 - vertex.
+  std::int32_t place_of(std::int32_t corner) const;
+
+  // How a place was reached.
+  struct Arrival
+  {
+    double distance;
+    std::int32_t corner; // of the place
+    std::int32_t back;   // the halfedge that leads there from the place before, -1 at the beginning
+  };
+
+  Arrival& arrival(std::int32_t place) { return m_arrivals[place >= 0 ? m_surface.number_of_vertices() + place : -1 - place]; }
+
   // The first corners of the fans along a border of the surface that is opened along all seams.
   std::vector<std::int32_t> fans_along_border(std::int32_t first) const;
 
   // The same where the seams stay connected without the chain: its two sides are different borders of the surface that is opened
-  // along them. The ends of paths are fans there, known by their first corners, and vertices that are not on seams,
-  // known by -1 - vertex.
-  std::vector<std::int32_t> path_across_annulus(const Chain& chain) const;
+  // along them.
+  std::vector<std::int32_t> path_across_annulus(const Chain& chain);
 
   void extend(std::int32_t node, std::int32_t besides);
 
@@ -268,6 +280,7 @@ private:
   std::vector<char> m_is_kept, m_marks;
   std::vector<double> m_distances;
   std::vector<std::int32_t> m_predecessors; // edges
+  std::vector<Arrival> m_arrivals;          // by place, at infinite distances between searches
 };
 
 } // namespace internal

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -366,7 +365,14 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::fans_along_borde
   return fans;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_across_annulus(const Chain& chain) const
+CGAL_FLIP_FREE_MAPS_INLINE std::int32_t Cut_graph::place_of(std::int32_t corner) const
+{
+  // Most vertices are on no seam.
+  const std::int32_t fan = is_on_cut(node_of(corner)) ? first_of_fan(corner) : -1;
+  return fan >= 0 ? fan : -1 - m_surface.source(corner);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_across_annulus(const Chain& chain)
 {
   const auto fan_at = [this](std::int32_t e, std::int32_t node) {
     const std::int32_t h = m_surface.edge_halfedge[e];
@@ -376,40 +382,40 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_across_annu
   std::vector<std::int32_t> path;
   if(from < 0 || to < 0)
     return path;
-  struct State
-  {
-    double distance;
-    std::int32_t corner; // of which it is the place
-    std::int32_t back;   // the halfedge that leads there from the place before, -1 at the beginning
-  };
-  std::unordered_map<std::int32_t, State> reached;
-  Cut_queue queue;
-  for(std::int32_t fan : fans_along_border(from)) {
-    reached[fan] = {0., fan, -1};
-    queue.emplace(0., fan);
-  }
-  if(reached.count(to) != 0)
+  const std::vector<std::int32_t> begins = fans_along_border(from);
+  if(std::find(begins.begin(), begins.end(), to) != begins.end())
     return path;
   std::unordered_set<std::int32_t> goal;
   for(std::int32_t fan : fans_along_border(to))
     goal.insert(fan);
-  const auto place_of = [this](std::int32_t corner) {
-    const std::int32_t fan = first_of_fan(corner);
-    return fan >= 0 ? fan : -1 - m_surface.source(corner);
+  if(m_arrivals.empty())
+    m_arrivals.assign(m_surface.number_of_vertices() + m_surface.opposite.size(), {infinity(), -1, -1});
+  std::vector<std::int32_t> reached;
+  Cut_queue queue;
+  const auto arrive = [&](std::int32_t place, const Arrival& by) {
+    Arrival& known = arrival(place);
+    if(!(by.distance < known.distance))
+      return;
+    if(known.distance == infinity())
+      reached.push_back(place);
+    known = by;
+    queue.emplace(by.distance, place);
   };
+  for(std::int32_t fan : begins)
+    arrive(fan, {0., fan, -1});
   while(!queue.empty()) {
     const auto [distance, place] = queue.top();
     queue.pop();
-    const State state = reached.at(place);
-    if(distance > state.distance)
+    const Arrival known = arrival(place);
+    if(distance > known.distance)
       continue;
-    if(goal.count(place) != 0) {
-      for(std::int32_t h = state.back; h >= 0; h = reached.at(place_of(Cut_surface::next(h))).back)
+    if(place >= 0 && goal.count(place) != 0) {
+      for(std::int32_t h = known.back; h >= 0; h = arrival(place_of(Cut_surface::next(h))).back)
         path.push_back(m_surface.edge_of[h]);
       break;
     }
     // From the first corner of a fan all of it is met.
-    const std::int32_t begin = place >= 0 ? place : state.corner;
+    const std::int32_t begin = place >= 0 ? place : known.corner;
     std::int32_t corner = begin;
     do {
       const std::int32_t h = Cut_surface::prev(corner);
@@ -417,16 +423,13 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_across_annu
         break;
       const double d = distance + m_costs[m_surface.edge_of[h]];
       const std::int32_t neighbor = d < chain.cost && !m_surface.is_rigid[m_surface.edge_of[h]] ? place_of(h) : place;
-      if(neighbor != place && (neighbor < 0 || goal.count(neighbor) != 0)) {
-        const auto entry = reached.emplace(neighbor, State{d, h, h});
-        if(entry.second || d < entry.first->second.distance) {
-          entry.first->second = {d, h, h};
-          queue.emplace(d, neighbor);
-        }
-      }
+      if(neighbor != place && (neighbor < 0 || goal.count(neighbor) != 0))
+        arrive(neighbor, {d, h, h});
       corner = m_surface.opposite[h];
     } while(corner != begin);
   }
+  for(const std::int32_t place : reached)
+    arrival(place).distance = infinity();
   return path;
 }
 

@@ -17,6 +17,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <vector>
+
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
@@ -37,8 +40,12 @@ public:
   Distortion_report report();
 
 private:
+  // The stretch below which a part of the area is, when the image is scaled.
+  double percentile_of_stretch(double part, double scale) const;
+
   Distortion_report m_report;
-  int m_exponent = 0; // binary logarithm of the unit of length
+  std::vector<std::array<double, 3>> m_singular_values; // both, and the area; of all triangles
+  int m_exponent = 0;                                   // binary logarithm of the unit of length
   double m_squares = 0;
   double m_inverse_squares = 0;
 };

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -65,6 +67,7 @@ CGAL_FLIP_FREE_MAPS_INLINE double Distortion_measure::add(const Matrix<3>& point
   m_report.mean_area_distortion += area * (is_valid ? 0.5 * (s.prod() + 1 / s.prod()) : infinity);
   m_report.min_singular_value = (std::min)(m_report.min_singular_value, s[1]);
   m_report.max_singular_value = (std::max)(m_report.max_singular_value, s[0]);
+  m_singular_values.push_back({{s[0], is_valid ? s[1] : 0., area}});
   m_squares += area * s.squaredNorm();
   m_inverse_squares += area * (is_valid ? s.array().square().inverse().sum() : infinity);
   return energy;
@@ -75,6 +78,24 @@ CGAL_FLIP_FREE_MAPS_INLINE double Distortion_measure::fail(Status status, const 
   m_report.status = status;
   m_report.message = text + std::to_string(m_report.elements);
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE double Distortion_measure::percentile_of_stretch(double part, double scale) const
+{
+  std::vector<std::pair<double, double>> stretches;
+  double area = 0;
+  for(const auto& s : m_singular_values) {
+    stretches.emplace_back(s[1] > 0 ? (std::max)(scale * s[0], 1 / (scale * s[1])) : std::numeric_limits<double>::infinity(), s[2]);
+    area += s[2];
+  }
+  std::sort(stretches.begin(), stretches.end());
+  double below = 0;
+  for(const auto& stretch : stretches) {
+    below += stretch.second;
+    if(below >= part * area)
+      return stretch.first;
+  }
+  return stretches.back().first;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE Distortion_report Distortion_measure::report()
@@ -91,6 +112,8 @@ CGAL_FLIP_FREE_MAPS_INLINE Distortion_report Distortion_measure::report()
   m_report.mean_area_distortion /= m_report.rest_area;
   // Scaling the image by t makes it (t^2 a + b / t^2) / 4, smallest for t^4 = b / a.
   m_report.energy_of_similarity = 0.5 * std::sqrt(m_squares / m_report.rest_area) * std::sqrt(m_inverse_squares / m_report.rest_area);
+  const double best_scale = std::isfinite(m_inverse_squares) ? std::pow(m_inverse_squares / m_squares, 0.25) : 1;
+  m_report.stretch_95 = percentile_of_stretch(0.95, best_scale);
   m_report.rest_area = std::ldexp(m_report.rest_area, 2 * m_exponent);
   m_report.image_area = std::ldexp(m_report.image_area, 2 * m_exponent);
   return m_report;

@@ -1,0 +1,267 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_MAPS_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_MAPS_IMPL_H
+
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_maps.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
+#include <CGAL/Flip_free_maps/internal/inline.h>
+#include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+CGAL_FLIP_FREE_MAPS_INLINE Chart_maps::Chart_maps(const Linked_triangles& surface, double begin, const Unwrap_options& options,
+                                                  Unwrap_summary& summary)
+  : Chart_surface(surface, begin, summary), m_options(options)
+{}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::inherit(const Piece& piece, const Open_piece& open, Positions<2>& x) const
+{
+  x.resize(2, open.surface.points.cols());
+  for(std::size_t e = 0; e < piece.faces.size(); ++e)
+    for(int k = 0; k < 3; ++k)
+      x.col(open.surface.triangles[e][k]) = m_image[piece.faces[e]].col(k);
+  return x.allFinite();
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::draw_apart(const Open_piece& open, Positions<2>& x,
+                                                       std::pair<std::int32_t, std::int32_t>& overlap) const
+{
+  const double gap = 1e-6 * std::sqrt(m_area);
+  const auto is_apart = [&](const Positions<2>& y) {
+    return !find_overlap(open, with_moved_border(open, y, gap), overlap) && !find_overlap(open, y, overlap);
+  };
+  if(is_apart(x))
+    return true;
+  Positions<2> moved = with_moved_border(open, x, -2 * gap);
+  if(!is_flip_free(open.surface.triangles, moved) || !is_apart(moved))
+    return !find_overlap(open, x, overlap);
+  x.swap(moved);
+  return true;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::can_be_split(const Piece& piece) const
+{
+  return m_surface.polygons[piece.faces[0]] != m_surface.polygons[piece.faces.back()] || number_of_polygons(piece.faces) > 1;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::is_too_long(const Piece& piece, const Positions<2>& x) const
+{
+  if(!m_options.pack || !m_options.is_bounded() || piece.faces.size() < 4 || !can_be_split(piece) || remaining_seconds() == 0)
+    return false;
+  const Vector<2> direction = direction_of_smallest_box(x);
+  Matrix<2> rotation;
+  rotation << direction[0], direction[1], -direction[1], direction[0];
+  const Vector<2> size = extent(rotation * x);
+  const double length = size.maxCoeff(), width = size.minCoeff();
+  return length > m_options.max_length * std::sqrt(m_area) && length > LONG * width;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::int32_t Chart_maps::measure(const Piece& piece, const Open_piece& open, const Positions<2>& x,
+                                                            Chart_summary& chart)
+{
+  Distortion_measure measure;
+  std::pair<double, std::int32_t> worst(0, 0);
+  for(std::size_t e = 0; e < piece.faces.size(); ++e) {
+    Matrix<3> points;
+    Image& image = m_image[piece.faces[e]];
+    for(int k = 0; k < 3; ++k) {
+      points.col(k) = open.surface.points.col(open.surface.triangles[e][k]);
+      image.col(k) = x.col(open.surface.triangles[e][k]);
+    }
+    const double energy = measure.add(points, image);
+    if(energy > worst.first)
+      worst = {energy, static_cast<std::int32_t>(e)};
+  }
+  const Distortion_report report = measure.report();
+  chart.area = report.rest_area; // in the user's units after sort_charts()
+  chart.energy = report.energy;
+  chart.max_energy = report.max_energy;
+  chart.stretch_95 = report.stretch_95;
+  return worst.second;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::keep(Piece& piece, const Open_piece& open, Positions<2>& x, const Chart_summary& chart)
+{
+  m_faces_done += chart.faces;
+  m_charts.push_back({open.surface.triangles, std::move(x), std::move(piece.faces)});
+  m_summary.charts.push_back(chart);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE double Chart_maps::empty_area(const Flat_chart& chart) const
+{
+  const Vector<2> direction = direction_of_smallest_box(chart.x);
+  Matrix<2> rotation;
+  rotation << direction[0], direction[1], -direction[1], direction[0];
+  return extent(rotation * chart.x).prod() - signed_area(chart, chart.x);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::halve(std::size_t c, double& seam_length)
+{
+  Piece whole;
+  whole.faces = m_charts[c].faces;
+  whole.is_part = true;
+  if(!can_be_split(whole))
+    return false;
+  const Open_piece open = this->open(whole.faces);
+  const Chart_splitter splitter(open.surface);
+  const std::pair<std::int32_t, std::int32_t> ends = splitter.far_apart();
+  const std::vector<Chart_splitter::Edge> seam = splitter.separate(ends.first, ends.second);
+  seam_length = 0;
+  for(const Chart_splitter::Edge& edge : seam) {
+    mark_seam(original_halfedge(whole, edge.halfedge));
+    seam_length += (open.surface.points.col(edge.vertices[0]) - open.surface.points.col(edge.vertices[1])).norm();
+  }
+  enqueue_parts(whole.faces, whole);
+  std::deque<Piece> parts;
+  parts.swap(m_queue);
+  if(parts.size() != 2)
+    return false;
+  std::array<Flat_chart, 2> halves;
+  std::array<Chart_summary, 2> summaries;
+  for(int i = 0; i < 2; ++i) {
+    const Open_piece part = this->open(parts[i].faces);
+    Positions<2> x;
+    std::pair<std::int32_t, std::int32_t> overlap;
+    if(!part.is_mesh || !inherit(parts[i], part, x) || !draw_apart(part, x, overlap))
+      return false;
+    summaries[i] = m_summary.charts[c];
+    summaries[i].faces = number_of_polygons(parts[i].faces);
+    measure(parts[i], part, x, summaries[i]);
+    if(is_too_distorted(summaries[i]))
+      return false;
+    halves[i] = {part.surface.triangles, std::move(x), std::move(parts[i].faces)};
+  }
+  summaries[1].iterations = 0;
+  summaries[1].seconds = 0;
+  m_charts[c] = std::move(halves[0]);
+  m_summary.charts[c] = summaries[0];
+  m_charts.push_back(std::move(halves[1]));
+  m_summary.charts.push_back(summaries[1]);
+  return true;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::split_for_packing(const std::function<bool()>& must_stop)
+{
+  // The gain in covered area that makes up for a seam as long as the side of a square with the area of the surface; the least
+  // gain; the part of the surface whose area a chart leaves empty at least if it is worth a trial; and the number of trials.
+  const double seam_price = 0.04, least_gain = 0.02, least_empty = 0.05;
+  const int most_trials = 4;
+  if(!m_options.pack || !m_options.is_bounded() || m_options.min_occupancy == 0)
+    return;
+  std::vector<double> empty;
+  for(const Flat_chart& chart : m_charts)
+    empty.push_back(empty_area(chart));
+  double covered = -1;
+  for(int trial = 0; trial < most_trials && remaining_seconds() > 0; ++trial) {
+    const std::size_t c = std::max_element(empty.begin(), empty.end()) - empty.begin();
+    if(!(empty[c] >= least_empty * m_area))
+      return;
+    if(covered < 0)
+      covered = expected_occupancy(m_charts, m_options.packing, must_stop);
+    if(covered >= m_options.min_occupancy)
+      return;
+    const Flat_chart whole = m_charts[c];
+    const Chart_summary summary = m_summary.charts[c];
+    std::vector<char> was_cut;
+    for(const std::int32_t f : whole.faces)
+      was_cut.insert(was_cut.end(), m_is_cut.begin() + 3 * f, m_is_cut.begin() + 3 * f + 3);
+    double seam_length;
+    if(halve(c, seam_length)) {
+      const double now = expected_occupancy(m_charts, m_options.packing, must_stop);
+      if(now - covered >= (std::max)(least_gain, seam_price * seam_length / std::sqrt(m_area))) {
+        covered = now;
+        empty[c] = empty_area(m_charts[c]);
+        empty.push_back(empty_area(m_charts.back()));
+        ++m_summary.splits_for_packing;
+        continue;
+      }
+      m_charts.pop_back();
+      m_summary.charts.pop_back();
+      m_charts[c] = whole;
+      m_summary.charts[c] = summary;
+    }
+    for(std::size_t i = 0; i < whole.faces.size(); ++i)
+      std::copy(was_cut.begin() + 3 * i, was_cut.begin() + 3 * i + 3, m_is_cut.begin() + 3 * whole.faces[i]);
+    empty[c] = 0;
+  }
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::sort_charts()
+{
+  std::vector<std::size_t> order(m_charts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [this](std::size_t a, std::size_t b) { return m_summary.charts[a].area > m_summary.charts[b].area; });
+  std::vector<Flat_chart> charts;
+  std::vector<Chart_summary> summaries;
+  for(const std::size_t c : order) {
+    charts.push_back(std::move(m_charts[c]));
+    summaries.push_back(std::move(m_summary.charts[c]));
+  }
+  m_charts.swap(charts);
+  m_summary.charts.swap(summaries);
+  for(Chart_summary& chart : m_summary.charts) {
+    m_areas.push_back(chart.area);
+    chart.area = std::ldexp(chart.area, 2 * m_surface.exponent);
+  }
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::count()
+{
+  const std::size_t size = m_surface.triangles.size();
+  std::vector<std::int32_t> chart_of(size);
+  std::vector<std::array<std::int32_t, 3>> elements(size);
+  double energy = 0, area = 0;
+  for(std::size_t c = 0; c < m_charts.size(); ++c) {
+    for(std::size_t e = 0; e < m_charts[c].faces.size(); ++e) {
+      chart_of[m_charts[c].faces[e]] = static_cast<std::int32_t>(c);
+      elements[m_charts[c].faces[e]] = m_charts[c].elements[e];
+    }
+    energy += m_areas[c] * m_summary.charts[c].energy;
+    area += m_areas[c];
+  }
+  m_summary.energy = energy / area;
+  m_summary.seam_edges = 0;
+  m_summary.seam_length = 0;
+  const auto image = [&](std::int32_t corner) { return elements[corner / 3][corner % 3]; };
+  for(std::int32_t h = 0; h < static_cast<std::int32_t>(3 * size); ++h) {
+    const std::int32_t g = m_surface.opposite[h];
+    if(g < h)
+      continue;
+    const std::int32_t h_end = next_in_triangle(h), g_end = next_in_triangle(g);
+    const bool is_one = chart_of[h / 3] == chart_of[g / 3] && image(h) == image(g_end) && image(g) == image(h_end);
+    m_is_cut[h] = m_is_cut[g] = !is_one;
+    if(is_one)
+      continue;
+    ++m_summary.seam_edges;
+    const auto& t = m_surface.triangles[h / 3];
+    m_summary.seam_length += (m_surface.points.col(t[h_end % 3]) - m_surface.points.col(t[h % 3])).norm();
+  }
+  m_summary.seam_length = std::ldexp(m_summary.seam_length, m_surface.exponent);
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_MAPS_IMPL_H
