@@ -243,7 +243,7 @@ head -n 20 bar.mesh > broken.mesh
 # The command line
 
 expect 0 --help
-for code in '11 start_not_flip_free' '17 file_error' '19 not_planar' '20 flips_remain' '21 not_bijective'; do
+for code in '11 start_not_flip_free' '17 file_error' '19 not_planar' '20 flips_remain' '21 not_bijective' '22 interrupted' '130, 143 ended by Ctrl-C or SIGTERM'; do
   check "the exit code $code is documented" grep -q "$code" out.txt
 done
 expect 0 --version
@@ -266,6 +266,12 @@ expect 2 parameterize sheet.off --threads many
 expect 2 parameterize sheet.off --tolerance -1
 expect 2 parameterize sheet.off --max-iterations -1
 expect 2 parameterize sheet.off --time-limit 0
+for option in --tolerance --time-limit --energy-parameter --memory-budget; do
+  expect 2 parameterize sheet.off $option nan
+done
+expect 2 unwrap sheet.off --max-distortion nan
+expect 2 unwrap sheet.off --margin -nan
+expect 2 deform bar.off --handles index_2.txt --tikhonov nan
 expect 2 measure
 expect 0 deform --help
 expect 2 deform
@@ -510,7 +516,7 @@ total()
 atlas()
 {
   rm -f atlas.obj measured.json
-  expect 0 unwrap "$@" -o atlas.obj --json atlas.json
+  expect "${wanted:-0}" unwrap "$@" -o atlas.obj --json atlas.json
   expect 0 measure atlas.obj --json measured.json
   check "$*: no flips" test "$(value measured.json flips)" = 0
   check "$*: bijective" test "$(value measured.json bijective)" = true
@@ -548,7 +554,7 @@ for unit in e-200 e200; do
   expect 0 unwrap unit.off --json atlas.json
   check "mean energy at 1$unit" close "$(total atlas.json energy)" "$mean" 1e-9
 done
-atlas handle.off --margin 0.1 --no-rotation --time-limit 0.000001
+wanted=1 atlas handle.off --margin 0.1 --no-rotation --time-limit 0.000001
 check "a limit is valid" test "$(total atlas.json status)" = time_limit
 atlas sheet.off --svg atlas.svg
 check "picture of an atlas" grep -q '<svg' atlas.svg
@@ -1141,6 +1147,35 @@ END
 else
   echo "skipped: no meshes in '$data'"
 fi
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Ends
+
+# Limits of time: what is valid is written, and the exit code says that the limit ended it.
+expect 1 parameterize sheet.off --time-limit 0.000001 -o limited.obj --json limited.json
+check "a limit is told" test "$(value limited.json status)" = time_limit
+expect 0 measure limited.obj
+expect 1 deform bar.off --handles index_2.txt --time-limit 0.000001 -o limited.off --json limited.json
+check "handles on their way are told" grep -q 'before the fixed vertices reached' limited.json
+check "the shape on the way is written" test -s limited.off
+
+# Ctrl-C and SIGTERM: likewise, within a second or so. A run that would take long by its tolerance.
+grid off 100 100 > long.off
+for signal in INT TERM; do
+  if [ $signal = INT ] && trap -p INT | grep -q "''"; then
+    echo "skipped: SIGINT is ignored here"
+    continue
+  fi
+  rm -f stopped.obj
+  code=130
+  [ $signal = INT ] || code=143
+  timeout --preserve-status --signal=$signal --kill-after=20 3 "$program" parameterize long.off --method aqp --tolerance 0 \
+    --max-iterations 100000000 -o stopped.obj --json stopped.json > out.txt 2> err.txt
+  check "SIG$signal has an exit code of its own" test $? -eq $code
+  check "SIG$signal: status" test "$(value stopped.json status)" = stopped_by_observer
+  expect 0 measure stopped.obj
+done
+check "no temporary files" test -z "$(find . -name '*.tmp')"
 
 echo "$checks checks, $failures failed"
 [ "$failures" -eq 0 ]
