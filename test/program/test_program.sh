@@ -196,7 +196,8 @@ tr -s ' \n' ' ' < out.txt > help.txt
 check "exit codes are documented" grep -q "; 2 wrong command line; 3 empty_mesh; 4 not_triangular; 5 no_border; 6 several_components; \
 7 not_a_disk; 8 non_manifold; 9 degenerate_rest_element; 10 non_finite_input; 11 start_not_flip_free; 12 unreachable_constraints; \
 13 linear_solver_failed; 14 line_search_failed; 15 result_not_representable; 16 invalid_option; 17 file_error; 18 out_of_memory; \
-19 not_planar; 20 flips_remain; 21 not_bijective\\." help.txt
+19 not_planar; 20 flips_remain; 21 not_bijective; 22 interrupted" help.txt
+check "exit codes of signals are documented" grep -q "130, 143 ended by Ctrl-C or SIGTERM" help.txt
 expect 0 --version
 check "version" grep -q '[0-9]\.[0-9]\.[0-9]' out.txt
 expect 0 parameterize --help
@@ -217,6 +218,12 @@ expect 2 parameterize sheet.off --threads many
 expect 2 parameterize sheet.off --tolerance -1
 expect 2 parameterize sheet.off --max-iterations -1
 expect 2 parameterize sheet.off --time-limit 0
+for option in --tolerance --time-limit --energy-parameter --memory-budget; do
+  expect 2 parameterize sheet.off $option nan
+done
+expect 2 unwrap sheet.off --max-distortion nan
+expect 2 unwrap sheet.off --margin -nan
+expect 2 deform bar.off --handles index_2.txt --tikhonov nan
 expect 2 measure
 expect 0 deform --help
 expect 2 deform
@@ -476,7 +483,7 @@ for unit in e-200 e200; do
   expect 0 unwrap unit.off --json atlas.json
   check "mean energy at 1$unit" close "$(total atlas.json energy)" "$mean" 1e-9
 done
-atlas handle.off --margin 0.1 --no-rotation --time-limit 0.000001
+wanted=1 atlas handle.off --margin 0.1 --no-rotation --time-limit 0.000001
 check "a limit is valid" test "$(total atlas.json status)" = time_limit
 atlas sheet.off --svg atlas.svg
 check "picture of an atlas" grep -q '<svg' atlas.svg
@@ -1037,5 +1044,34 @@ if [ -c /dev/full ]; then
   expect 17 parameterize sheet.off --json /dev/full
   expect 17 parameterize sheet.off --trace /dev/full
 fi
+
+# ---------------------------------------------------------------------------------------------------------------------
+# Ends
+
+# Limits of time: what is valid is written, and the exit code says that the limit ended it.
+expect 1 parameterize sheet.off --time-limit 0.000001 -o limited.obj --json limited.json
+check "a limit is told" test "$(value limited.json status)" = time_limit
+expect 0 measure limited.obj
+expect 1 deform bar.off --handles index_2.txt --time-limit 0.000001 -o limited.off --json limited.json
+check "handles on their way are told" grep -q 'before the fixed vertices reached' limited.json
+check "the shape on the way is written" test -s limited.off
+
+# Ctrl-C and SIGTERM: likewise, within a second or so. A run that would take long by its tolerance.
+grid off 100 100 > long.off
+for signal in INT TERM; do
+  if [ $signal = INT ] && trap -p INT | grep -q "''"; then
+    echo "skipped: SIGINT is ignored here"
+    continue
+  fi
+  rm -f stopped.obj
+  code=130
+  [ $signal = INT ] || code=143
+  timeout --preserve-status --signal=$signal --kill-after=20 3 "$program" parameterize long.off --method aqp --tolerance 0 \
+    --max-iterations 100000000 -o stopped.obj --json stopped.json > out.txt 2> err.txt
+  check "SIG$signal has an exit code of its own" test $? -eq $code
+  check "SIG$signal: status" test "$(value stopped.json status)" = stopped_by_observer
+  expect 0 measure stopped.obj
+done
+check "no temporary files" test -z "$(find . -name '*.tmp')"
 
 finish
