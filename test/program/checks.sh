@@ -70,7 +70,7 @@ total()
 atlas()
 {
   rm -f atlas.obj measured.json
-  expect 0 unwrap "$@" -o atlas.obj --json atlas.json
+  expect "${wanted:-0}" unwrap "$@" -o atlas.obj --json atlas.json
   expect 0 measure atlas.obj --json measured.json
   check "$*: no flips" test "$(value measured.json flips)" = 0
   check "$*: bijective" test "$(value measured.json bijective)" = true
