@@ -72,13 +72,14 @@ struct Outcome
   }
 };
 
-bool choose_method(const std::string& method, FFM::Any_map_traits& traits)
+// `search`: "" for the line search of the papers, "+" for the package's own.
+bool choose_method(const std::string& method, const std::string& search, FFM::Any_map_traits& traits)
 {
-  if(traits.use_method(method))
+  if(traits.use_method(method + search))
     return true;
-  if(method == "vertex-space-newton" && traits.use_method("projected-newton"))
+  if(method == "vertex-space-newton" && traits.use_method("projected-newton" + search))
     traits.preconditioner = FFM::Any_preconditioner(FFM::Vertex_space_newton());
-  else if(method == "cm-ungathered" && traits.use_method("cm"))
+  else if(method == "cm-ungathered" && traits.use_method("cm" + search))
     traits.preconditioner = FFM::Any_preconditioner(FFM::Composite_majorization<false>());
   else
     return false;
@@ -90,12 +91,9 @@ Outcome run(const Planar_shape& bar, const Experiment& experiment, const std::st
   Outcome outcome;
   outcome.method = method;
   FFM::Any_map_traits traits;
-  choose_method(method, traits);
+  choose_method(method, begins_with_longest_step ? "+" : "", traits);
   traits.energy = experiment.energy;
   FFM::Map_options& options = traits.options;
-  options.begin_with_largest_step = begins_with_longest_step;
-  options.extend_steps = begins_with_longest_step;
-  options.free_blocked_vertices = begins_with_longest_step;
   options.characteristic_gradient_tolerance = 1e-13;
   options.max_seconds = seconds;
   options.max_iterations = 20000;

@@ -171,8 +171,10 @@ FFM::Any_map_traits make_traits(const Settings& settings, const std::string& met
   FFM::Any_map_traits traits;
   traits.use_method(method);
   FFM::Map_options& options = traits.options;
-  options.characteristic_gradient_tolerance = settings.criterion == "characteristic" ? settings.tolerance : 0;
-  options.relative_energy_tolerance = settings.criterion == "energy" ? settings.tolerance : 0;
+  if(settings.criterion != "published" || !traits.stop_as_published()) {
+    options.characteristic_gradient_tolerance = settings.criterion == "characteristic" ? settings.tolerance : 0;
+    options.relative_energy_tolerance = settings.criterion == "characteristic" ? 0 : settings.tolerance;
+  }
   options.max_seconds = settings.seconds;
   options.max_iterations = (std::numeric_limits<int>::max)();
   const std::map<std::string, int> corners = {{"triangle", 3}, {"square", 4}, {"octagon", 8}};
@@ -238,8 +240,12 @@ int main(int argc, char** argv)
     ->allow_extra_args(false)
     ->delimiter(',')
     ->capture_default_str();
-  app.add_option("--criterion", settings.criterion, "stop by the characteristic gradient or by the relative decrease of the energy")
-    ->check(CLI::IsMember({"characteristic", "energy"}))
+  app
+    .add_option(
+      "--criterion", settings.criterion,
+      "stop by the characteristic gradient, by the relative decrease of the energy, or by the rules of each method's paper where there "
+      "are some")
+    ->check(CLI::IsMember({"characteristic", "energy", "published"}))
     ->capture_default_str();
   app.add_option("--tolerance", settings.tolerance, "its tolerance")->capture_default_str();
   app.add_option("--seconds", settings.seconds, "limit of each run")->capture_default_str();
@@ -265,10 +271,11 @@ int main(int argc, char** argv)
   int failures = 0;
   if(earlier.empty()) {
     results.comments() = {
-      machine(),
-      "stopped by " +
-        std::string(settings.criterion == "energy" ? "the relative decrease of the energy" : "the characteristic gradient norm") +
-        " below " + format(settings.tolerance) + " or " + format(settings.seconds) + " s per run; start: " + settings.start};
+      machine(), "stopped by " +
+                   std::string(settings.criterion == "published" ? "the rules of the method's paper, or the relative decrease of the energy"
+                               : settings.criterion == "energy"  ? "the relative decrease of the energy"
+                                                                 : "the characteristic gradient norm") +
+                   " below " + format(settings.tolerance) + " or " + format(settings.seconds) + " s per run; start: " + settings.start};
     const auto run = [&](Mesh& mesh, const std::string& name) {
       run_all(mesh, name, settings, results, traces);
       // Written after every mesh: long comparisons are interrupted.

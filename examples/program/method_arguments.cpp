@@ -15,8 +15,9 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
 {
   command
     .add_option("--method", arguments.method,
-                "the methods of the literature by their names; a p- in front: with progressive references. The options below change parts "
-                "of the method. splitting may begin with flips, and drops handles at their targets")
+                "the methods of the literature by their names, as published; a p- in front: with progressive references; a + at the end: "
+                "with this package's line search. The options below change parts of the method. splitting may begin with flips, and drops "
+                "handles at their targets")
     ->check(CLI::IsMember(method_names()))
     ->capture_default_str();
   command.add_option("--energy", arguments.energy, "what is minimised")->check(CLI::IsMember(energy_names()))->capture_default_str();

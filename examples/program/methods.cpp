@@ -91,7 +91,11 @@ std::vector<std::string> names(const Map& map)
 
 std::vector<std::string> method_names()
 {
-  return {"default", "pp", "cm", "slim", "akvf", "p-cm", "p-slim", "p-akvf", "aqp", "sobolev", "newton", "projected-newton", "splitting"};
+  std::vector<std::string> result{"default", "splitting", "splitting+"};
+  for(const FFM::Published_method& method : FFM::Any_map_traits::published_methods())
+    for(const char* search : {"", "+"})
+      result.push_back(method.name + search);
+  return result;
 }
 
 std::vector<std::string> energy_names() { return names(energies(0)); }
@@ -143,14 +147,10 @@ FFM::Any_map_traits make_traits(const Method_choice& choice)
   traits.use_method(choice.method);
   traits.energy = energies(choice.energy_parameter).at(choice.energy);
   if(choice.preconditioner != "default") {
-    // What is not asked for is taken from the methods of the literature.
-    traits.use_method("projected-newton");
+    // It takes the place of another in a method of the literature.
+    if(choice.method == "default")
+      traits.use_method("projected-newton+");
     traits.preconditioner = preconditioners().at(choice.preconditioner);
-    if(choice.reference == "default" && choice.method != "default") {
-      FFM::Any_map_traits method;
-      method.use_method(choice.method);
-      traits.reference = method.reference;
-    }
   }
   if(choice.reference == "progressive")
     traits.use_progressive_reference();
@@ -195,6 +195,14 @@ void set_limits(const Method_choice& choice, FFM::Map_options& options)
     options.gradient_tolerance = choice.tolerance >= 0 ? choice.tolerance : 1e-3;
   else
     options.characteristic_gradient_tolerance = choice.tolerance >= 0 ? choice.tolerance : default_tolerance;
+}
+
+void set_splitting(const Method_choice& choice, FFM::Splitting_options& options)
+{
+  if(choice.method == "splitting")
+    options = FFM::Splitting_options::published();
+  if(choice.tolerance >= 0)
+    options.relative_tolerance = choice.tolerance;
 }
 
 void set_start(const Start_choice& choice, bool has_fixed_vertices, FFM::Start_options& options)

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/method/Start_options.h>
+#include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 
 #include <algorithm>
 #include <string>
@@ -32,7 +33,8 @@ struct Method_choice
   double time_limit = 0;
   double energy_parameter = 0;
 
-  bool is_splitting() const { return method == "splitting"; }
+  // The splitting scheme as published, or with a + as this package has improved it.
+  bool is_splitting() const { return method == "splitting" || method == "splitting+"; }
 
   // Whether nothing but the default method is asked for.
   bool is_default() const
@@ -58,6 +60,9 @@ FFM::Any_map_traits make_traits(const Method_choice& choice);
 
 // Sets limits and tolerances.
 void set_limits(const Method_choice& choice, FFM::Map_options& options);
+
+// Sets what differs between splitting and splitting+, and its tolerance.
+void set_splitting(const Method_choice& choice, FFM::Splitting_options& options);
 
 // The limits hold for each of the methods that remove flips; those of the polish are other ones.
 template <typename RepairOptions>

@@ -22,9 +22,8 @@ namespace program {
 inline FFM::Splitting_map_traits<FFM::Any_map_traits> splitting_traits(const Method_arguments& arguments, const FFM::Any_map_traits& traits)
 {
   FFM::Splitting_options options;
+  set_splitting(arguments, options);
   options.polish = arguments.polish;
-  if(arguments.tolerance >= 0)
-    options.relative_tolerance = arguments.tolerance;
   return FFM::Splitting_map_traits<FFM::Any_map_traits>(traits, options);
 }
 

@@ -405,6 +405,44 @@ BOOST_AUTO_TEST_CASE(armijo_bounds_and_extension)
   BOOST_TEST(shortened > 100);
 }
 
+// Every step that was tried is the first one times a power of the factor, and the last is the first that suffices.
+BOOST_AUTO_TEST_CASE(plain_backtracking)
+{
+  Random random(41);
+  int beyond = 0, shortened = 0;
+  for(int k = 0; k < 500; ++k) {
+    FFM::Map_options options;
+    options.backtracking = random(0.1, 0.95);
+    options.begin_with_largest_step = k % 2 == 0;
+    options.max_line_search_steps = 1000;
+    const double slope = -std::exp(random(-5, 5)), curvature = std::exp(random(-5, 8)), pole = std::exp(random(-6, 6));
+    std::vector<double> steps;
+    const auto energy = [&](double a) {
+      steps.push_back(a);
+      return a < pole ? 3 + slope * a + 0.5 * curvature * a * a : infinity;
+    };
+    const FFM::Line_search_result found = FFM::line_search(energy, 3, slope, pole, true, options);
+    BOOST_TEST_REQUIRE(found.success);
+    BOOST_TEST(found.step == steps.back());
+    BOOST_TEST(found.evaluations == static_cast<int>(steps.size()));
+    BOOST_TEST(steps.front() == (k % 2 == 0 ? 0.95 * pole : std::min(1., 0.95 * pole)));
+    for(std::size_t i = 0; i < steps.size(); ++i) {
+      BOOST_TEST(steps[i] == steps[0] * std::pow(options.backtracking, i), boost::test_tools::tolerance(1e-12));
+      const double bound = 3 + 1e-4 * steps[i] * slope, value = 3 + slope * steps[i] + 0.5 * curvature * steps[i] * steps[i];
+      BOOST_TEST((value <= bound) == (i + 1 == steps.size()));
+    }
+    beyond += found.step > 1;
+    shortened += steps.size() > 1;
+  }
+  BOOST_TEST(beyond > 20);
+  BOOST_TEST(shortened > 100);
+  // Where nothing collapses there is no largest step.
+  FFM::Map_options options;
+  options.backtracking = 0.5;
+  options.begin_with_largest_step = true;
+  BOOST_TEST(FFM::line_search([](double a) { return -a; }, 0, -1, infinity, true, options).step == 1);
+}
+
 BOOST_AUTO_TEST_CASE(full_step_first)
 {
   int calls = 0;

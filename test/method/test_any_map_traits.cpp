@@ -22,8 +22,13 @@
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
 #include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <typeinfo>
+#include <vector>
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -34,6 +39,96 @@ template <typename Preconditioner>
 using Method = FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, Preconditioner, CGAL::Default, FFM::Eigen_simplicial_solver,
                                          FFM::No_acceleration, FFM::Every_iteration>;
 typedef FFM::Flip_free_map_traits<CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, FFM::Eigen_simplicial_solver> Default_method;
+
+// What the papers say about each of their methods: Liu et al. 2018 (3.3 to 3.6, 4), Claici et al. 2017 (4, 5), Shtengel et al. 2017 (3.2,
+// 4, 5), which leave the constants of the "standard Armijo backtracking" to Nocedal and Wright 2006. Energies of Claici et al. are
+// four times ours.
+struct Paper_row
+{
+  std::string name, source, preconditioner, class_name;
+  bool is_progressive, is_accelerated;
+  double fraction;
+  bool is_capped; // the first step is at most 1
+  double factor, armijo;
+  bool has_flaps;
+  double decrease, gradient; // at which runs end, 0 where no paper says
+
+  // As in the manual, but for the last column.
+  std::string manual_line() const
+  {
+    const auto power = [](double x) {
+      const int exponent = static_cast<int>(std::floor(std::log10(x) + 1e-9));
+      std::ostringstream text;
+      const double mantissa = x / std::pow(10, exponent);
+      if(std::abs(mantissa - 1) > 1e-9)
+        text << mantissa << ' ';
+      text << "10<sup>" << exponent << "</sup>";
+      return text.str();
+    };
+    std::ostringstream line;
+    line << "| `" << name << "` | " << source << " | `" << class_name << '`' << (is_accelerated ? ", `Nesterov`" : "") << " | "
+         << (is_progressive ? "progressive" : "fixed") << " | " << (is_capped ? "min(1, " : "") << fraction << " a"
+         << (is_capped ? ")" : "") << " | " << factor << " | " << power(armijo) << " | " << (has_flaps ? "yes" : "no") << " | "
+         << (decrease > 0 ? "decrease " + power(decrease) : "") << (decrease > 0 && gradient > 0 ? ", " : "")
+         << (gradient > 0 ? "gradient " + power(gradient) : "") << (decrease + gradient > 0 ? "" : "-") << " |";
+    return line.str();
+  }
+};
+
+const std::vector<Paper_row>& papers()
+{
+  const std::string liu = "\\cgalCite{LYNF18}, ", claici = "\\cgalCite{CBSS17}, ", shtengel = "\\cgalCite{SPSKL17}, ";
+  static const std::vector<Paper_row> rows{
+    {"pp", liu + "3.3 to 3.6", "hybrid", "Hybrid", true, false, 0.9, true, 0.5, 1e-4, false, 1e-6, 1e-6},
+    {"cm", shtengel + "3.2, 4, 5", "cm", "Composite_majorization", false, false, 0.9, true, 0.5, 1e-4, false, 1e-6, 1e-6},
+    {"slim", "\\cgalCite{RPPS17}", "slim", "Slim", false, false, 0.9, true, 0.5, 1e-4, false, 1e-6, 1e-6},
+    {"akvf", claici + "4, 5", "killing", "Killing", false, false, 0.8, false, 0.9, 1e-5, true, 0, 2.5e-6},
+    {"p-cm", liu + "4.2", "cm", "Composite_majorization", true, false, 0.9, true, 0.5, 1e-4, false, 1e-6, 1e-6},
+    {"p-slim", liu + "4.2", "slim", "Slim", true, false, 0.9, true, 0.5, 1e-4, false, 1e-6, 1e-6},
+    {"p-akvf", liu + "4.2", "killing", "Killing", true, false, 0.8, false, 0.9, 1e-5, false, 1e-6, 1e-6},
+    {"projected-newton", "\\cgalCite{SGK19}", "projected_newton", "Projected_newton", false, false, 0.9, true, 0.5, 1e-4, false, 0, 0},
+    {"newton", shtengel + "2", "newton", "Newton", false, false, 0.9, true, 0.5, 1e-4, false, 0, 0},
+    {"aqp", "\\cgalCite{KGL16}", "laplacian", "Laplacian", false, true, 0.9, true, 0.5, 1e-4, false, 0, 0},
+    {"sobolev", shtengel + "5 (QP)", "laplacian", "Laplacian", false, false, 0.9, true, 0.5, 1e-4, false, 0, 0}};
+  return rows;
+}
+
+const Paper_row& paper_of(const std::string& name)
+{
+  for(const Paper_row& row : papers())
+    if(row.name == name)
+      return row;
+  throw std::invalid_argument(name);
+}
+
+// The options of a method that is compiled as its paper has it.
+template <typename Traits>
+Traits published(const std::string& name)
+{
+  const Paper_row& row = paper_of(name);
+  Traits traits;
+  traits.options.step_fraction = row.fraction;
+  traits.options.begin_with_largest_step = !row.is_capped;
+  traits.options.backtracking = row.factor;
+  traits.options.armijo = row.armijo;
+  traits.options.max_line_search_steps = 400;
+  traits.options.free_blocked_vertices = false;
+  traits.options.careful_stagnation = false;
+  return traits;
+}
+
+// What all methods but the default one have in common.
+void check_search(const FFM::Any_map_traits& traits, double fraction, double armijo, double factor, bool begins_with_largest, bool is_own)
+{
+  const FFM::Map_options& options = traits.options;
+  BOOST_TEST(options.step_fraction == fraction);
+  BOOST_TEST(options.armijo == armijo);
+  BOOST_TEST(options.backtracking == factor);
+  BOOST_TEST(options.begin_with_largest_step == begins_with_largest);
+  BOOST_TEST(options.extend_steps == is_own);
+  BOOST_TEST(options.free_blocked_vertices == is_own);
+  BOOST_TEST(options.careful_stagnation == is_own);
+}
 
 struct Fixture
 {
@@ -56,7 +151,6 @@ struct Fixture
     FFM::Any_map_traits any;
     any.use_linear_solver<FFM::Eigen_simplicial_solver>();
     BOOST_TEST_REQUIRE(any.use_method(name));
-    traits.options.begin_with_largest_step = any.options.begin_with_largest_step;
     const FFM::Summary compiled = run(traits);
     const FFM::Positions<2> expected = x;
     FFM::Summary summary = run(any);
@@ -83,9 +177,59 @@ struct Fixture
 BOOST_FIXTURE_TEST_CASE(compiled_methods_give_the_same, Fixture)
 {
   compare("default", Default_method());
-  compare("projected-newton", Method<FFM::Projected_newton>());
-  compare("slim", Method<FFM::Slim>());
-  compare("akvf", Method<FFM::Killing>());
+  for(const std::string name : {"projected-newton", "slim", "akvf"})
+    BOOST_TEST_CONTEXT(name)
+    {
+      if(name == "slim")
+        compare(name, published<Method<FFM::Slim>>(name));
+      else if(name == "akvf")
+        compare(name, published<Method<FFM::Killing>>(name));
+      else
+        compare(name, published<Method<FFM::Projected_newton>>(name));
+    }
+}
+
+// One object goes through all methods, each as its paper has it, as the manual says, and as this package has improved it.
+BOOST_AUTO_TEST_CASE(methods_are_those_of_the_papers)
+{
+  std::ifstream file(FLIP_FREE_MAPS_SOURCE_DIR "/doc/Flip_free_maps.txt");
+  std::ostringstream manual;
+  manual << file.rdbuf();
+  BOOST_TEST(FFM::Any_map_traits::published_methods().size() == papers().size());
+  FFM::Any_map_traits traits;
+  for(const Paper_row& row : papers())
+    for(const bool is_own : {false, true}) {
+      BOOST_TEST_CONTEXT(row.name << (is_own ? "+" : ""))
+      {
+        BOOST_TEST_REQUIRE(traits.use_method(is_own ? row.name + "+" : row.name));
+        BOOST_TEST(traits.preconditioner.preconditioner_name() == row.preconditioner);
+        BOOST_TEST(traits.acceleration.acceleration_name() == (row.is_accelerated ? "nesterov" : "none"));
+        BOOST_TEST((traits.refactorization_rule(7, 1, 1e-9) == FFM::Refactorization::refresh));
+        BOOST_TEST(traits.reference.bound == (row.is_progressive ? 60 : std::numeric_limits<double>::infinity()));
+        BOOST_TEST(traits.reference.smallest_decrease == 0.01);
+        BOOST_TEST(traits.reference.distorted_fraction == (is_own ? 0 : 0.01));
+        BOOST_TEST(traits.start.multilevel_size == -1);
+        BOOST_TEST(traits.start.place_flaps == (row.has_flaps && !is_own));
+        if(is_own)
+          check_search(traits, 0.95, 1e-4, 0, true, true);
+        else
+          check_search(traits, row.fraction, row.armijo, row.factor, !row.is_capped, false);
+
+        FFM::Any_map_traits stopping = traits;
+        BOOST_TEST(stopping.stop_as_published() == (row.decrease + row.gradient > 0));
+        BOOST_TEST(stopping.options.characteristic_gradient_tolerance == (row.decrease + row.gradient > 0 ? 0 : 1e-5));
+        BOOST_TEST(stopping.options.relative_energy_tolerance == row.decrease);
+        BOOST_TEST(stopping.options.gradient_tolerance == row.gradient, boost::test_tools::tolerance(1e-12));
+        BOOST_TEST((manual.str().find('\n' + row.manual_line()) != std::string::npos), row.manual_line());
+      }
+    }
+  BOOST_TEST_REQUIRE(traits.use_method("akvf"));
+  BOOST_TEST_REQUIRE(traits.use_method("default"));
+  check_search(traits, 0.95, 1e-4, 0, false, true);
+  BOOST_TEST(traits.options.max_line_search_steps == 60);
+  BOOST_TEST(!traits.start.place_flaps);
+  BOOST_TEST(!traits.has_progressive_reference());
+  BOOST_TEST(!traits.stop_as_published());
 }
 
 BOOST_FIXTURE_TEST_CASE(all_names_work, Fixture)
@@ -135,7 +279,8 @@ BOOST_FIXTURE_TEST_CASE(unknown_names_change_nothing, Fixture)
 {
   FFM::Any_map_traits traits;
   BOOST_TEST_REQUIRE(traits.use_method("p-slim"));
-  for(const char* name : {"", "Slim", "p-", "p-pp", "p-aqp", "p-sobolev", "p-default", "slim ", "gradient-descent"}) {
+  for(const char* name :
+      {"", "Slim", "p-", "p-pp", "p-aqp", "p-sobolev", "p-default", "default+", "+", "slim++", "slim ", "gradient-descent"}) {
     BOOST_TEST_CONTEXT(name)
     {
       BOOST_TEST(!traits.use_method(name));

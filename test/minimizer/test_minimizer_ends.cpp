@@ -134,6 +134,26 @@ BOOST_FIXTURE_TEST_CASE(no_factorization_only_confirms_convergence, Fixture)
   BOOST_TEST(number_foreseen > 0);
 }
 
+// The plain rule of the energy looks at the last step only.
+BOOST_FIXTURE_TEST_CASE(plain_rule_of_the_energy, Fixture)
+{
+  for(const double tolerance : {1e-1, 1e-3, 1e-6}) {
+    FFM::Map_options options = no_rules();
+    options.careful_stagnation = false;
+    options.relative_energy_tolerance = tolerance;
+    std::vector<double> energies;
+    options.observer = [&](const FFM::Iteration_report& report) {
+      energies.push_back(report.energy);
+      return true;
+    };
+    const FFM::Summary summary = run(options);
+    check_valid(summary, FFM::Status::success);
+    BOOST_TEST_REQUIRE(energies.size() >= 2u);
+    for(std::size_t i = 1; i < energies.size(); ++i)
+      BOOST_TEST(((energies[i - 1] - energies[i]) / energies[i] <= tolerance) == (i + 1 == energies.size()));
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(the_observer_may_stop_at_once, Fixture)
 {
   FFM::Map_options options;

@@ -199,9 +199,10 @@ std::vector<Matrix<D>> partly_distorted(int bad, double value)
 template <int D>
 void check_switching()
 {
-  // No element may be beyond K.
+  // With algorithm 1 no element may be beyond K.
   Elements<D> elements(partly_distorted<D>(1, 1000));
   FFM::Progressive_reference reference;
+  reference.distorted_fraction = 0;
   reference.restart();
   BOOST_TEST(!reference.update(elements.domain, elements.x));
   elements.set(partly_distorted<D>(0, 1000));
@@ -216,13 +217,15 @@ void check_switching()
   BOOST_TEST(!reference.update(elements.domain, elements.x));
   BOOST_TEST((reference.rest_inverse(elements.domain, 0) != elements.domain.rest_inverses[0]));
 
-  // A percent of them may, when asked for.
+  // With section 3.6 a percent of them may.
+  reference = FFM::Progressive_reference();
   reference.restart();
-  reference.distorted_fraction = 0.01;
   elements.set(partly_distorted<D>(3, 1000));
   BOOST_TEST(!reference.update(elements.domain, elements.x));
   elements.set(partly_distorted<D>(2, 1000));
   BOOST_TEST(reference.update(elements.domain, elements.x));
+
+  reference.distorted_fraction = 0;
 
   // Elements count by their distortion: within K nothing is wrong with them.
   reference.restart();
@@ -254,7 +257,66 @@ void check_switching()
   BOOST_TEST(reference.update(elements.domain, elements.x));
 }
 
+// Distortions of all sizes on elements of all sizes: the mean of (11) is the one of (5), over the areas at rest, while the
+// references' weights are alike.
+template <int D>
+void check_weights()
+{
+  Random random(31);
+  const auto distorted = [&](double most) {
+    std::vector<Matrix<D>> jacobians;
+    for(int k = 0; k < 60; ++k) {
+      Vector<D> s;
+      for(int i = 0; i < D; ++i)
+        s[i] = std::exp(random(-most, most));
+      jacobians.push_back(with_singular_values<D>(random, s));
+    }
+    return jacobians;
+  };
+  const std::vector<Matrix<D>> before = distorted(4), after = distorted(3.5);
+  Elements<D> elements(before);
+  double sums[3] = {0, 0, 0}, plain[2] = {0, 0};
+  for(std::size_t e = 0; e < before.size(); ++e) {
+    const double area = 1 / elements.domain.rest_inverses[e].determinant();
+    sums[0] += area * distortion<D>(before[e]);
+    sums[1] += area * distortion<D>(after[e]);
+    sums[2] += area;
+    plain[0] += distortion<D>(before[e]);
+    plain[1] += distortion<D>(after[e]);
+  }
+  FFM::Progressive_reference reference;
+  reference.restart();
+  BOOST_TEST_REQUIRE(!reference.update(elements.domain, elements.x));
+  elements.set(after);
+  BOOST_TEST_REQUIRE(!reference.update(elements.domain, elements.x));
+  const double decrease = (sums[0] - sums[1]) / sums[1];
+  BOOST_TEST(std::abs(reference.relative_decrease() - decrease) <= 1e-9);
+  BOOST_TEST(std::abs(decrease - (plain[0] - plain[1]) / plain[1]) > 1e-3);
+  for(std::size_t e = 0; e < before.size(); ++e) {
+    const double area = 1 / elements.domain.rest_inverses[e].determinant() / sums[2];
+    BOOST_TEST(reference.weight(elements.domain, e) == 1. / 60);
+    BOOST_TEST(std::abs(elements.domain.measures[e] - area) <= 1e-12);
+  }
+}
+
 } // namespace
+
+// Liu et al. 2018, section 3.6.
+BOOST_AUTO_TEST_CASE(settings_of_the_paper)
+{
+  const FFM::Progressive_reference reference;
+  BOOST_TEST(reference.bound == 60);
+  BOOST_TEST(reference.smallest_decrease == 0.01);
+  BOOST_TEST(reference.distorted_fraction == 0.01);
+  BOOST_TEST(reference.has_common_parameter);
+  BOOST_TEST((reference.interpolation == FFM::Interpolation::exponential));
+}
+
+BOOST_AUTO_TEST_CASE(means_are_over_areas_and_weights_alike)
+{
+  check_weights<2>();
+  check_weights<3>();
+}
 
 BOOST_AUTO_TEST_CASE(distortion_from_references_is_bounded_2) { check_all_interpolations<2>(); }
 

@@ -333,6 +333,62 @@ BOOST_AUTO_TEST_CASE(least_penalty_at_the_identity)
              boost::test_tools::tolerance(1e-12));
 }
 
+// Stein, Li and Solomon 2022, section 6.
+BOOST_AUTO_TEST_CASE(settings_of_the_paper)
+{
+  const FFM::Splitting_options options = FFM::Splitting_options::published();
+  BOOST_TEST(options.is_valid());
+  BOOST_TEST(options.absolute_tolerance == 1e-6);
+  BOOST_TEST(options.relative_tolerance == 1e-5);
+  BOOST_TEST((options.weights == FFM::Splitting_weights::equal));
+  BOOST_TEST(options.penalty_factor == 2.5);
+  BOOST_TEST(options.penalty_ratio == 5);
+  BOOST_TEST(options.first_adaptations == 5);
+  BOOST_TEST(options.adaptation_interval == 5);
+  BOOST_TEST(options.largest_interval_with_flips > 1000000000);
+  BOOST_TEST(!options.raises_penalties_of_flips);
+  BOOST_TEST(options.largest_penalty == std::numeric_limits<double>::infinity());
+}
+
+// Errors of elements of different measures, (14), with one weight for all or by measure, and the penalties that follow from them.
+BOOST_AUTO_TEST_CASE(weights_of_errors)
+{
+  using Step = FFM::Admm_splitting_step<2, FFM::Symmetric_gradient>;
+  Random random(12);
+  const Step published(FFM::Symmetric_gradient(), FFM::Splitting_options::published()), own;
+  int differing = 0, flipped = 0;
+  for(int i = 0; i < 300; ++i) {
+    const double measure = std::pow(10, random(-5, -1));
+    FFM::Split_element<2> element;
+    own.start(random.matrix<2>(), measure, false, element);
+    element.penalty *= std::pow(10, random(0, 6));
+    const FFM::Split_element<2> before = element;
+    const Matrix<2> jacobian = before.jacobian + 0.3 * random.matrix<2>();
+    FFM::Split_element<2> other = element;
+    FFM::Splitting_errors equal, weighted;
+    published.update(jacobian, measure, true, false, element, equal);
+    own.update(jacobian, measure, true, false, other, weighted);
+    const double primal = (jacobian - element.rotation * element.stretch).norm();
+    const double dual = before.penalty * (jacobian - before.jacobian).norm();
+    BOOST_TEST(equal.primal == primal * primal, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(equal.dual == dual * dual, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(equal.primal_scale == jacobian.squaredNorm(), boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(weighted.primal == measure * equal.primal, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(weighted.dual == equal.dual / measure, boost::test_tools::tolerance(1e-9));
+    const Vector<2> p = Eigen::SelfAdjointEigenSolver<Matrix<2>>(element.stretch).eigenvalues().reverse();
+    const double factor = primal > 5 * dual ? 2.5 : dual > 5 * primal ? 0.4 : 1;
+    BOOST_TEST(element.penalty == (std::max)(factor * before.penalty, published.least_penalty(p, measure)),
+               boost::test_tools::tolerance(1e-9));
+    differing += element.penalty != other.penalty;
+    if(!(jacobian.determinant() > 0)) {
+      ++flipped;
+      BOOST_TEST(other.penalty >= 2.5 * before.penalty * (1 - 1e-9));
+    }
+  }
+  BOOST_TEST(differing > 50);
+  BOOST_TEST(flipped > 50);
+}
+
 BOOST_AUTO_TEST_CASE(start_of_a_flipped_element)
 {
   Random random(7);

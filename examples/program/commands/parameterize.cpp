@@ -104,7 +104,7 @@ private:
     const Mesh& mesh = patch.triangles.mesh;
     FFM::Start_options& start = traits.start;
     set_start(m_start, m_fix_border || !m_fixed.empty(), start);
-    start.place_flaps = m_place_flaps;
+    start.place_flaps = start.place_flaps || m_place_flaps;
 
     std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
     if(!m_fixed.empty())

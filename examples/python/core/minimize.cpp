@@ -361,7 +361,7 @@ py::tuple minimize_in(const Rows<double, D>& start, const Rows<std::int64_t, D +
   const program::Method_choice choice = method_choice(given);
   FFM::Any_map_traits traits = make_traits(choice);
   if(!energy.is_none())
-    traits.use_method("projected-newton");
+    traits.use_method("projected-newton+");
   const Function energy_function(energy, watch), term_function(term, watch);
   FFM::Position_constraints<D> constraints;
   if(given.contains("fixed"))

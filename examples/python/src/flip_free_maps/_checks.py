@@ -16,7 +16,7 @@ from ._errors import InvalidOption, NotTriangular
 
 NAMES = _core.names()
 # The splitting scheme is what repair() and map_volume() use anyway.
-NAMES["method"].remove("splitting")
+NAMES["method"] = [name for name in NAMES["method"] if not name.startswith("splitting")]
 
 
 def _shape(array):

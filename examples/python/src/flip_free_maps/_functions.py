@@ -126,7 +126,8 @@ def parameterize(points, faces, *, method="default", energy="symmetric-dirichlet
     faces : (f, 3) array of integers
         Triangles, in any of the forms that `unwrap` takes. Of several components, that of the longest border is flattened.
     method : str
-        "default", or a method of the literature: "slim", "cm", "akvf", "pp", "aqp", "newton", ...
+        "default", or a method of the literature: "slim", "cm", "akvf", "pp", "aqp", "newton", ...; "slim+" and so on
+        with this package's line search
     energy : str
         What is minimised: "symmetric-dirichlet", "arap", "conformal", "amips", ...; `energy_parameter` is the factor of
         exponential ones.

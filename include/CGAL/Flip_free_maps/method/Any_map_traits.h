@@ -24,8 +24,8 @@
 
 #include <functional>
 #include <limits>
-#include <map>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -34,6 +34,18 @@ namespace Flip_free_maps {
 #if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
 inline namespace with_cholmod {
 #endif
+
+/// \ingroup PkgFlipFreeMapsRef
+/// A method of the literature, with the settings of its paper.
+struct Published_method
+{
+  std::string name;                  ///< as `Any_map_traits::use_method()` takes it
+  Any_preconditioner preconditioner; ///< how directions are found
+  bool is_progressive = false;       ///< whether references are progressive
+  bool is_accelerated = false;       ///< whether steps are accelerated by `Nesterov`
+  bool place_flaps = false;          ///< as in `Start_options`
+  Map_options options;               ///< line search and tolerances
+};
 
 /// \ingroup PkgFlipFreeMapsRef
 /// Traits whose choices are made at run time. One instantiation of an algorithm serves all methods, at the price of a few percent
@@ -71,8 +83,9 @@ public:
   /// Enters the names of what is held into the account of a run.
   void name_choices(Summary& summary) const;
 
-  /// Makes the choices of a method of the literature, energy, linear solver and stopping rules apart, and a Tutte start. Names,
-  /// with what they stand for:
+  /// Makes the choices of a method by its name: preconditioner, reference, acceleration, line search, and a Tutte start; not the
+  /// energy, the linear solver, and tolerances. `default` is the method of this package. The others are those of the literature, as
+  /// written there, see `published_methods()`:
   ///
   /// | name | preconditioner | reference | acceleration |
   /// |------|----------------|-----------|--------------|
@@ -86,19 +99,31 @@ public:
   /// | `aqp` | `Laplacian` | fixed | `Nesterov` |
   /// | `sobolev` | `Laplacian` | fixed | none |
   ///
+  /// With a `+` at its end, `pp+` for example, a method has the line search of this package instead of that of its paper: it begins
+  /// with the largest step, frees blocked vertices, and stops carefully (`Map_options`); progressive references then last until no
+  /// element exceeds their bound, and flaps are not placed.
+  ///
   /// \returns `false`, and no choice is made, if no method has that name
   bool use_method(const std::string& name);
+
+  /// Takes the tolerances of the paper of the method that was chosen last.
+  ///
+  /// \returns `false`, and none is taken, if there are none, or the method is the default
+  bool stop_as_published();
+
+  /// The methods of the literature: all facts in which they differ.
+  static const std::vector<Published_method>& published_methods();
 
   /// As the function of `Flip_free_map_traits`, if the method is the default and still has its preconditioner and its
   /// acceleration.
   void adapt_to_developable_surface();
 
-  /// The preconditioners of the methods without progressive references.
-  static const std::map<std::string, Any_preconditioner>& preconditioners();
-
 private:
+  const Published_method* find(const std::string& name) const;
+  void search_steps_as(const Map_options& other);
+
   std::function<Any_linear_solver(double)> m_make_linear_solver;
-  bool m_is_default = true;
+  std::string m_method;
 };
 
 #if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)

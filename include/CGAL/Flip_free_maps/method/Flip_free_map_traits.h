@@ -63,9 +63,10 @@ inline namespace with_cholmod {
 ///
 /// Any parameter may be `CGAL::Default`. The default method takes SLIM's proxy on badly distorted elements and the projected
 /// Hessian elsewhere, and lets L-BFGS reuse a factorization near the optimum; on developable surfaces it takes the Killing
-/// operator. The papers' methods are
+/// operator. The papers' directions are those of
 /// `Flip_free_map_traits<CGAL::Default, CGAL::Default, P, CGAL::Default, CGAL::Default, No_acceleration, Every_iteration>` with P
-/// one of `Killing`, `Slim`, `Composite_majorization<>` and `Projected_newton`.
+/// one of `Killing`, `Slim`, `Composite_majorization<>` and `Projected_newton`; their line searches and starts are settings, which
+/// `Any_map_traits::use_method()` makes.
 ///
 /// \cgalModels{MapTraits}
 template <typename Kernel_ = CGAL::Default, typename Energy_ = CGAL::Default, typename Preconditioner_ = CGAL::Default,

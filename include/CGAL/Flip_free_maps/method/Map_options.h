@@ -53,6 +53,9 @@ struct Map_options
   double relative_energy_tolerance = 0;
   /// See `relative_energy_tolerance`.
   int stagnation_iterations = 3;
+  /// When false, `relative_energy_tolerance` is a plain rule: one step that changes the energy by no more, relatively, ends the run,
+  /// whatever step it was and whatever is predicted (Liu et al. 2018, equation 11 and section 3.6).
+  bool careful_stagnation = true;
   /// Stop when the energy is at most this (off by default).
   double target_energy = -std::numeric_limits<double>::infinity();
   /// Stop after this many accepted steps.
@@ -66,6 +69,10 @@ struct Map_options
   double armijo = 1e-4;
   /// Most energies evaluated in one line search before it fails.
   int max_line_search_steps = 60;
+  /// The factor, in (0, 1), of plain backtracking: the line search begins at the full step, or at the bound where that is shorter
+  /// or `begin_with_largest_step` is set, and multiplies by this until the energy decreases sufficiently. 0: by interpolation and
+  /// extension, see `line_search()`.
+  double backtracking = 0;
   /// Second-order directions may be followed beyond the full step while the energy decreases.
   bool extend_steps = true;
   /// Second-order directions are first followed as far as `step_fraction` allows, also beyond the full step, and back from there
@@ -78,7 +85,7 @@ struct Map_options
   bool free_blocked_vertices = true;
   /// While a factorization is kept for several iterations, the parts of the elements that were deformed most since are renewed in
   /// it, at most one for every fifty vertices: a few thin elements change first, and hold up all others (13 instead of 35
-  /// iterations on 369,000 triangles, for example). It takes part only where a refactorization rule keeps factorizations.
+  /// iterations on 369,000 triangles to a relative decrease of the energy of 1e-6, for example). It takes part only where a refactorization rule keeps factorizations.
   bool renew_factorization = true;
 
   /// Energies without a barrier, such as `Arap`, are minimised without regard to flips, which the summary counts. The start may
@@ -110,6 +117,8 @@ struct Map_options
       return internal::fail(message, "step_fraction must be in (0, 1)");
     if(!(armijo > 0 && armijo < 0.5))
       return internal::fail(message, "armijo must be in (0, 1/2)");
+    if(!(backtracking >= 0 && backtracking < 1))
+      return internal::fail(message, "backtracking must be in [0, 1)");
     if(!internal::is_tolerance(tikhonov))
       return internal::fail(message, "tikhonov must be finite and not negative");
     if(max_line_search_steps < 1)

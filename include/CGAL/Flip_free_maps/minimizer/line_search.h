@@ -31,6 +31,29 @@ namespace internal {
 // A direction along which nothing collapses for so long is hardly limited by its elements.
 constexpr double LARGEST_FIRST_STEP = 1e3;
 
+// Sufficient decrease. Close to a minimum the bound rounds to the energy itself, hence the second test.
+inline bool is_sufficient(double energy, double energy_0, double slope, double step, double armijo)
+{
+  return std::isfinite(energy) && energy <= energy_0 + armijo * step * slope && energy < energy_0;
+}
+
+// Plain backtracking from `step` on.
+template <typename Energy>
+Line_search_result backtrack(Energy&& energy, double energy_0, double slope, double step, const Map_options& options)
+{
+  Line_search_result result;
+  for(; result.evaluations < options.max_line_search_steps && !result.success; step *= options.backtracking) {
+    const double e = energy(step);
+    ++result.evaluations;
+    if(is_sufficient(e, energy_0, slope, step, options.armijo)) {
+      result.success = true;
+      result.step = step;
+      result.energy = e;
+    }
+  }
+  return result;
+}
+
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -38,8 +61,8 @@ constexpr double LARGEST_FIRST_STEP = 1e3;
 /// `options.step_fraction` of `largest_step`. It begins at the full step, or at the bound where that is shorter or where
 /// `options.begin_with_largest_step` asks for it; goes back by safeguarded quadratic interpolation, from beyond the full step by
 /// halves; and, when `extend` is true, goes on beyond an accepted first step while the energy decreases: a projected Hessian
-/// overestimates curvature, so its full step is often too short. NaN and infinite energies count as too large;
-/// the number of evaluations is bounded.
+/// overestimates curvature, so its full step is often too short. With `options.backtracking` it only goes back, by that factor. NaN and
+/// infinite energies count as too large; the number of evaluations is bounded.
 ///
 /// \tparam Energy a functor: the energy at step a, `double operator()(double a)`; +infinity where an element is not positive
 /// \param energy the energy along the direction
@@ -47,19 +70,21 @@ constexpr double LARGEST_FIRST_STEP = 1e3;
 /// \param slope its derivative there, negative
 /// \param largest_step the step at which the first element collapses
 /// \param extend whether steps beyond the full one are tried
-/// \param options `armijo`, `step_fraction`, `begin_with_largest_step` and `max_line_search_steps` are used
+/// \param options `armijo`, `step_fraction`, `backtracking`, `begin_with_largest_step` and `max_line_search_steps` are used
 template <typename Energy>
 Line_search_result line_search(Energy&& energy, double energy_0, double slope, double largest_step, bool extend, const Map_options& options)
 {
   Line_search_result result;
   const double bound = options.step_fraction * largest_step;
+  if(options.backtracking > 0)
+    return internal::backtrack(energy, energy_0, slope,
+                               options.begin_with_largest_step && std::isfinite(bound) ? bound : (std::min)(1., bound), options);
   const bool begins_with_bound = extend && options.begin_with_largest_step && bound < internal::LARGEST_FIRST_STEP;
   double step = begins_with_bound ? bound : (std::min)(1., bound);
   for(; result.evaluations < options.max_line_search_steps;) {
     const double e = energy(step);
     ++result.evaluations;
-    // Close to a minimum the bound rounds to the energy itself, hence the second test.
-    if(std::isfinite(e) && e <= energy_0 + options.armijo * step * slope && e < energy_0) {
+    if(internal::is_sufficient(e, energy_0, slope, step, options.armijo)) {
       result.success = true;
       result.step = step;
       result.energy = e;

@@ -12,13 +12,15 @@
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsPreconditioners
 /// One preconditioner while distortion is extreme, another from then on: the hybrid solver of progressive parameterizations (Liu,
 /// Ye, Ni and Fu 2018, section 3.5). The change takes place, for the rest of the run, as soon as 99 % of the elements have a
-/// symmetric Dirichlet energy of at most `bound`, or the last step decreased the energy by less than a tenth.
+/// symmetric Dirichlet energy of at most `bound`, or the last step changed the energy by less than a tenth.
 ///
 /// \tparam First used far from the optimum. <b>Default:</b> \code Slim \endcode
 /// \tparam Second used afterwards. The paper takes composite majorization,
@@ -40,14 +42,14 @@ struct Hybrid
   First first;                    ///< used far from the optimum
   Second second;                  ///< used near it
   double bound = 60;              ///< symmetric Dirichlet energy of an element that is not distorted too much, K in the paper
-  double smallest_decrease = 0.1; ///< a step that decreases the energy by less, relatively, asks for the change
+  double smallest_decrease = 0.1; ///< a step that changes the energy by less, relatively, asks for the change
 
   /// Changes over when it is time, and informs the one in use.
   void begin_iteration(const Iteration_state& state)
   {
     if(state.iteration == 0)
       m_has_changed = false;
-    m_has_changed = m_has_changed || state.relative_decrease < smallest_decrease || state.distorted_fraction(bound) <= 0.01;
+    m_has_changed = m_has_changed || std::abs(state.relative_decrease) < smallest_decrease || state.distorted_fraction(bound) <= 0.01;
     if(m_has_changed)
       internal::begin_iteration(second, state);
     else

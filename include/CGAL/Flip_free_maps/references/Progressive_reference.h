@@ -34,10 +34,10 @@ enum class Interpolation
 /// \ingroup PkgFlipFreeMapsReferences
 /// Progressive references (Liu, Ye, Ni and Fu 2018, sections 3.3 to 3.6): while elements are badly distorted, each iteration
 /// measures against elements between those at rest and their images, chosen such that no distortion exceeds a bound K, and all
-/// elements count alike. The rest shape takes over for the rest of the run as soon as all elements have a distortion of at most K
-/// (algorithm 1), or the mean distortion decreased by less than a hundredth in one iteration. Section 3.6 is content with 99 % of
-/// the elements; the few others throttle the first steps towards the rest shape then. Distortion is the symmetric Dirichlet
-/// energy, whatever energy is minimised.
+/// elements count alike. The rest shape takes over for the rest of the run as soon as 99 % of the elements have a distortion of at
+/// most K, or the mean distortion, over the area (equation 11), changed by less than a hundredth in one iteration (section 3.6).
+/// Algorithm 1 asks for all elements, `distorted_fraction` 0: the few others throttle the first steps towards the rest shape
+/// otherwise. Distortion is the symmetric Dirichlet energy, whatever energy is minimised.
 ///
 /// \cgalModels{Reference}
 class Progressive_reference
@@ -48,8 +48,8 @@ public:
   Interpolation interpolation = Interpolation::exponential; ///< how references lie between rest shape and image
   bool has_common_parameter = true; ///< whether all elements take the smallest t, or each its own; a projection is individual
   double bound = 60;                ///< K, greater than 1
-  double smallest_decrease = 0.01;  ///< relative decrease of the mean distortion below which the rest shape takes over
-  double distorted_fraction = 0;    ///< fraction of elements beyond K up to which the rest shape takes over
+  double smallest_decrease = 0.01;  ///< relative change of the mean distortion below which the rest shape takes over
+  double distorted_fraction = 0.01; ///< fraction of elements beyond K up to which the rest shape takes over
   /// @}
 
   /// "progressive"
@@ -72,12 +72,13 @@ public:
     if(m_is_rest_shape)
       return true;
     const std::int64_t n = domain.number_of_elements();
-    double sum = 0, common = 1;
+    double sum = 0, total = 0, common = 1;
     std::int64_t distorted = 0;
     for(std::int64_t e = 0; e < n; ++e) {
       const internal::Vector<D> s = internal::signed_singular_values(domain.jacobian(e, x));
       const double distortion = Symmetric_dirichlet().value<D>(s);
-      sum += distortion;
+      sum += domain.measures[e] * distortion;
+      total += domain.measures[e];
       if(distortion <= bound)
         continue;
       ++distorted;
@@ -85,7 +86,7 @@ public:
          Symmetric_dirichlet().value<D>(interpolated<D>(s, common)) > bound)
         common = largest_parameter<D>(s, common);
     }
-    const double distortion = sum / n;
+    const double distortion = sum / total;
     m_relative_decrease = (m_distortion - distortion) / distortion;
     m_distortion = distortion;
     // A positive element on which double precision finds no positive singular value has no reference.
@@ -110,7 +111,7 @@ public:
     return false;
   }
 
-  /// Relative decrease of the mean distortion by the last iteration.
+  /// Relative decrease of the mean distortion, weighted by measure, by the last iteration.
   double relative_decrease() const { return m_relative_decrease; }
 
   /// Inverse of the reference's edge matrix of element `e`.

@@ -40,7 +40,9 @@ struct Split_element
 /// \ingroup PkgFlipFreeMapsSplitting
 /// The local steps of the splitting scheme of Stein, Li and Solomon 2022 (section 4), an alternating direction method of
 /// multipliers that minimises sum_e A_e psi(P_e) subject to J_e = R_e P_e. The augmented Lagrangian is
-/// sum_e A_e psi(P_e) + mu_e / 2 (|J_e - R_e P_e + L_e|^2 - |L_e|^2). All steps are exact.
+/// sum_e A_e psi(P_e) + mu_e / 2 (|J_e - R_e P_e + L_e|^2 - |L_e|^2). All steps are exact, up to the Newton iterations of
+/// energies whose proximal maps have no closed form. What `Splitting_options` say departs from the paper in how errors are weighted and
+/// in what is done about flipped elements; `Splitting_options::published()` does not.
 ///
 /// \tparam D dimension, 2 or 3
 /// \tparam Energy must be a model of `DistortionEnergy`, convex in the singular values, see `Proximal_map`
@@ -98,8 +100,7 @@ public:
   static void update_dual(Element& element) { element.dual += element.jacobian - element.rotation * element.stretch; }
 
   /// All steps of one element after the positions have been solved for: rotation, stretch, dual variable; on request also the
-  /// penalty. The errors are added to `errors`. The penalty of a flipped element rises whatever its errors are: there J = R P
-  /// matters more than the energy.
+  /// penalty. The errors are added to `errors`.
   void update(const Matrix& jacobian, double measure, bool adapt, bool inert, Element& element, Splitting_errors& errors) const
   {
     const double moved = (jacobian - element.jacobian).squaredNorm();
@@ -109,15 +110,18 @@ public:
     const Matrix residual = jacobian - element.rotation * element.stretch;
     element.dual += residual;
 
-    const double relative = element.penalty / measure, primal = residual.squaredNorm(), dual = relative * relative * moved;
-    errors.primal += measure * primal;
-    errors.dual += measure * dual;
-    errors.primal_scale += measure * jacobian.squaredNorm();
-    errors.dual_scale += measure * relative * relative * element.dual.squaredNorm();
+    const bool is_weighted = m_options.weights == Splitting_weights::measure;
+    const double weight = is_weighted ? measure : 1, relative = element.penalty / weight;
+    const double primal = residual.squaredNorm(), dual = relative * relative * moved;
+    errors.primal += weight * primal;
+    errors.dual += weight * dual;
+    errors.primal_scale += weight * jacobian.squaredNorm();
+    errors.dual_scale += weight * relative * relative * element.dual.squaredNorm();
     const bool is_flipped = !(jacobian.determinant() > 0);
     errors.flips += is_flipped;
     if(adapt)
-      errors.adapted += adapt_penalty(measure, std::sqrt(primal), is_flipped ? 0 : std::sqrt(dual), inert, element);
+      errors.adapted +=
+        adapt_penalty(measure, std::sqrt(primal), is_flipped && m_options.raises_penalties_of_flips ? 0 : std::sqrt(dual), inert, element);
   }
 
   /// Raises or lowers the penalty so that the two errors become alike, but not below the bound under which the stretch is known
@@ -131,8 +135,7 @@ public:
       penalty /= m_options.penalty_factor;
     const Vector p = eigenvalues(element.stretch).cwiseMax(std::numeric_limits<double>::min());
     penalty = (std::max)(penalty, least_penalty(p, measure));
-    // Beyond this the sums of the matrix would drown all other elements.
-    penalty = (std::min)(penalty, LARGEST_PENALTY * scaled_measure(measure));
+    penalty = (std::min)(penalty, m_options.largest_penalty * scaled_measure(measure));
     const bool changed = penalty != element.penalty;
     if(changed) {
       element.dual *= element.penalty / penalty;
@@ -168,8 +171,6 @@ public:
   }
 
 private:
-  static constexpr double LARGEST_PENALTY = 1e12;
-
   // The measure in units in which f takes the place of psi.
   double scaled_measure(double measure) const { return measure * m_proximal_map.scale(); }
 

@@ -14,13 +14,14 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsSplitting
-/// Squares of the errors of elements and of what they are compared with, weighted by the elements' measures and summed.
+/// Squares of the errors of elements and of what they are compared with, weighted by w and summed: w is the element's measure A, or 1
+/// if all count alike, see `Splitting_weights`.
 struct Splitting_errors
 {
   double primal = 0;        ///< |J - R P|^2
-  double dual = 0;          ///< |mu / A (J - previous J)|^2
+  double dual = 0;          ///< |mu / w (J - previous J)|^2
   double primal_scale = 0;  ///< |J|^2
-  double dual_scale = 0;    ///< |mu / A L|^2
+  double dual_scale = 0;    ///< |mu / w L|^2
   std::int64_t flips = 0;   ///< elements whose Jacobian has no positive determinant in floating point
   std::int64_t adapted = 0; ///< elements whose penalty changed
 

@@ -339,8 +339,11 @@ private:
     const Splitting_errors errors = m_schedule.template accumulate<Tag, Splitting_errors>(update);
     run.report.primal_error = std::sqrt(errors.primal);
     run.report.dual_error = std::sqrt(errors.dual);
-    m_primal_tolerance = m_options.absolute_tolerance + m_options.relative_tolerance * std::sqrt(errors.primal_scale);
-    m_dual_tolerance = m_options.absolute_tolerance + m_options.relative_tolerance * std::sqrt(errors.dual_scale);
+    // Measures sum to 1.
+    const double size = m_options.weights == Splitting_weights::measure ? 1 : static_cast<double>(D * D * m_domain.number_of_elements());
+    const double absolute = m_options.absolute_tolerance * std::sqrt(size);
+    m_primal_tolerance = absolute + m_options.relative_tolerance * std::sqrt(errors.primal_scale);
+    m_dual_tolerance = absolute + m_options.relative_tolerance * std::sqrt(errors.dual_scale);
     run.flips = errors.flips;
     run.is_factorized = run.is_factorized && errors.adapted == 0;
   }

@@ -39,15 +39,27 @@ enum class Proximal_rotation
 };
 
 /// \ingroup PkgFlipFreeMapsSplitting
+/// How elements count in the errors, with |J - R P| and mu |J - previous J| those of an element of measure A.
+enum class Splitting_weights
+{
+  measure, ///< by their measures: the dual error of an element is divided by A, and root mean squares are taken over the mesh.
+           ///< Results do not depend on how the mesh is divided into elements
+  equal    ///< all alike (Stein et al., equations 14 and 15): square roots of sums of squares, the absolute tolerance times
+           ///< the square root of the number of entries of all Jacobians
+};
+
+/// \ingroup PkgFlipFreeMapsSplitting
 /// Settings of `Splitting_minimizer`. Lengths are measured on the mesh scaled to total measure 1, so settings mean the same on
 /// every input.
 struct Splitting_options
 {
-  /// The run converges when no element is flipped and both errors, root mean squares over the measure of the mesh, are at most
-  /// this plus `relative_tolerance` times the root mean square of what they are errors of: the Jacobians, and the dual variables.
+  /// The run converges when no element is flipped and both errors are at most this plus `relative_tolerance` times the size of what
+  /// they are errors of: the Jacobians, and the dual variables. How they are measured is `weights`.
   double absolute_tolerance = 1e-6;
   /// See `absolute_tolerance`.
   double relative_tolerance = 1e-5;
+  /// How elements count in the errors, and in the comparison that changes penalties.
+  Splitting_weights weights = Splitting_weights::measure;
   /// Stop when no element is flipped and the mean energy of the map is at most this (off by default).
   double target_energy = -std::numeric_limits<double>::infinity();
   /// Stop at the first iterate without flipped elements; the start counts.
@@ -67,6 +79,10 @@ struct Splitting_options
   int adaptation_interval = 5;
   /// Intervals that begin with flipped elements do not double beyond this.
   int largest_interval_with_flips = 20;
+  /// Whether the penalty of a flipped element rises whatever its errors are: there J = R P matters more than the energy.
+  bool raises_penalties_of_flips = true;
+  /// Penalties are at most this times the measure of the element: beyond, the sums of the matrix would drown all other elements.
+  double largest_penalty = 1e12;
   /// Whether rotations are kept close to those of the iteration before.
   Proximal_rotation proximal_rotation = Proximal_rotation::automatic;
 
@@ -79,6 +95,18 @@ struct Splitting_options
   /// Called before the first and after every iteration; returning `false` stops the run,
   /// of `repair_map()` as a whole.
   std::function<bool(const Splitting_report&)> observer;
+
+  /// The scheme as Stein, Li and Solomon 2022 write it (section 6): all elements count alike, and nothing is done about flipped
+  /// elements and large penalties.
+  static Splitting_options published()
+  {
+    Splitting_options options;
+    options.weights = Splitting_weights::equal;
+    options.largest_interval_with_flips = (std::numeric_limits<int>::max)();
+    options.raises_penalties_of_flips = false;
+    options.largest_penalty = std::numeric_limits<double>::infinity();
+    return options;
+  }
 
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::string* message = nullptr) const
@@ -93,6 +121,8 @@ struct Splitting_options
       return internal::fail(message, "first_adaptations must not be negative");
     if(adaptation_interval < 1 || largest_interval_with_flips < 1)
       return internal::fail(message, "adaptation_interval and largest_interval_with_flips must be at least 1");
+    if(!(largest_penalty >= 1))
+      return internal::fail(message, "largest_penalty must be at least 1");
     return internal::check_limits(*this, message);
   }
 };

@@ -70,14 +70,25 @@ private:
       return "the norm of the gradient is within its tolerance";
     if(progress.characteristic_gradient_norm <= options.characteristic_gradient_tolerance)
       return "the characteristic norm of the gradient is within its tolerance";
-    if(run.iterations() == 0 || !(options.relative_energy_tolerance > 0) || !is_nearly_stationary(run))
+    if(run.iterations() == 0 || !(options.relative_energy_tolerance > 0))
+      return nullptr;
+    return options.careful_stagnation                                                  ? careful_rule_of_energy(run, factorizes)
+           : std::abs(progress.relative_decrease) <= options.relative_energy_tolerance ? SMALL_DECREASE
+                                                                                       : nullptr;
+  }
+
+  const char* careful_rule_of_energy(Run& run, bool factorizes) const
+  {
+    const Minimizer_progress& progress = run.progress;
+    const Map_options& options = run.options;
+    if(!is_nearly_stationary(run))
       return nullptr;
     const bool is_full_step = progress.fresh && progress.step >= 0.5;
     // A step that goes far beyond the minimum along its direction may decrease the energy by as little as one that ends the run.
     if(progress.relative_decrease <= options.relative_energy_tolerance &&
        (progress.small_decreases >= options.stagnation_iterations ||
         (is_full_step && progress.predicted_decrease <= MODEL_ERROR * options.relative_energy_tolerance)))
-      return "the relative decrease of the energy is within its tolerance";
+      return SMALL_DECREASE;
     if(is_full_step && factorizes && predicts_small_decrease(run, options.relative_energy_tolerance / MODEL_ERROR))
       return "the predicted relative decrease of the energy is within its tolerance";
     return nullptr;
@@ -111,6 +122,7 @@ private:
     return report;
   }
 
+  static constexpr const char* SMALL_DECREASE = "the relative decrease of the energy is within its tolerance";
   // Mean energy above that of an isometry from which on a few elements make up most of it.
   static constexpr double ASTRONOMICAL = 10;
   // Preconditioners overestimate curvature, and decreases are predicted too small by such a factor.

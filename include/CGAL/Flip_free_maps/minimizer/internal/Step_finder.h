@@ -61,7 +61,8 @@ public:
     double largest = run.progress.largest_step;
     // Long steps make up for a model that overestimates curvature, and do harm where it is right.
     Map_options options = run.options;
-    options.begin_with_largest_step = options.begin_with_largest_step && !(run.progress.model_ratio <= TRUSTED_MODEL);
+    if(options.backtracking == 0)
+      options.begin_with_largest_step = options.begin_with_largest_step && !(run.progress.model_ratio <= TRUSTED_MODEL);
     // Rounding may leave an element of the accepted candidate collapsed or flipped although its energy was finite; then a
     // shorter step is searched.
     for(int i = 0; i < 10; ++i) {
