@@ -987,7 +987,7 @@ done << 'END'
 END
 
 # Unusual files that are none the less good.
-awk 'NF == 3 && NR > 2 { print $1 + 1e6, $2 - 1e6, $3 + 1e6; next } { print }' sheet.off > remote.off
+awk 'NF == 3 && NR > 2 { printf "%.17g %.17g %.17g\n", $1 + 1e6, $2 - 1e6, $3 + 1e6; next } { print }' sheet.off > remote.off
 awk 'NF == 3 && NR > 2 { print $1 * 1e150, $2 * 1e150, $3 * 1e150; next } { print }' sheet.off > huge.off
 awk 'NF == 3 && NR > 2 { print $1 * 1e-150, $2 * 1e-150, $3 * 1e-150; next } { print }' sheet.off > minute.off
 awk 'NR == 2 { print $1 + 1, $2, $3; next } NR == 3 { print; print "5 5 5"; next } $1 == 3 && NF == 4 { for(k = 2; k <= 4; ++k) if($k > 0) ++$k } { print }' \
