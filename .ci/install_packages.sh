@@ -6,12 +6,12 @@
 set -euo pipefail
 
 common=(cmake g++ make pkg-config libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas-dev libtbb-dev
-        libcairo2-dev libtet1.5-dev libcli11-dev nlohmann-json3-dev)
+        libcairo2-dev zlib1g-dev libtet1.5-dev libcli11-dev nlohmann-json3-dev)
 
 python=(pybind11-dev python3-dev python3-numpy python3-pytest)
 
 case "${1:-}" in
-  tests)      packages=("${common[@]}" "${python[@]}" libopenmesh-dev doxygen graphviz) ;;
+  tests)      packages=("${common[@]}" "${python[@]}" libopenmesh-dev python3-meshio doxygen graphviz) ;;
   quickstart) packages=("${common[@]}" libcgal-demo) ;;
   python)     packages=("${common[@]}" "${python[@]}" python3-setuptools python3-wheel python3-pip) ;;
   *)          echo "usage: $0 tests|quickstart|python" >&2; exit 2 ;;

@@ -1,9 +1,9 @@
 # The parts of the program that tests compile, too: file formats and pictures, in examples/program/. They are no part of the
-# package, and neither is Cairo, which draws the pictures.
+# package, and neither are Cairo, which draws the pictures, and zlib, which compresses VTU files.
 #
-# Reads     FLIP_FREE_MAPS_WITH_CAIRO
+# Reads     FLIP_FREE_MAPS_WITH_CAIRO, FLIP_FREE_MAPS_WITH_ZLIB
 # Creates   flip_free_maps_program, their headers; flip_free_maps_formats, their sources
-# Sets      FLIP_FREE_MAPS_CAIRO_STATUS (text for the user)
+# Sets      FLIP_FREE_MAPS_CAIRO_STATUS, FLIP_FREE_MAPS_ZLIB_STATUS (text for the user)
 
 add_library(flip_free_maps_program INTERFACE)
 target_include_directories(flip_free_maps_program INTERFACE "${PROJECT_SOURCE_DIR}/examples")
@@ -39,3 +39,16 @@ file(GLOB format_files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/program
 add_library(flip_free_maps_formats STATIC EXCLUDE_FROM_ALL ${format_files})
 target_link_libraries(flip_free_maps_formats PUBLIC flip_free_maps_program)
 target_compile_options(flip_free_maps_formats PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra>)
+
+if(FLIP_FREE_MAPS_WITH_ZLIB)
+  find_package(ZLIB QUIET)
+  if(ZLIB_FOUND)
+    target_link_libraries(flip_free_maps_formats PRIVATE ZLIB::ZLIB)
+    target_compile_definitions(flip_free_maps_formats PRIVATE CGAL_FLIP_FREE_MAPS_USE_ZLIB)
+    set(FLIP_FREE_MAPS_ZLIB_STATUS "found, ${ZLIB_VERSION_STRING}")
+  else()
+    set(FLIP_FREE_MAPS_ZLIB_STATUS "not found, compressed VTU files are refused")
+  endif()
+else()
+  set(FLIP_FREE_MAPS_ZLIB_STATUS "switched off, compressed VTU files are refused")
+endif()

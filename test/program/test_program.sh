@@ -833,7 +833,7 @@ check "and so are places of TetGen files" test "$(awk 'NF > 5 { print $2, $3, $4
 sed 's/^Tetrahedra/Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nTetrahedra/' bar.mesh > mixed.mesh
 expect 17 deform mixed.mesh --handles index_3.txt -o bad.mesh
 check "other elements are named" grep -q 'Hexahedra' err.txt
-expect 17 deform bar.msh --handles index_3.txt
+expect 17 deform bar.xyz --handles index_3.txt
 check "the formats that are read are named" grep -q '\.obj.*\.mesh' err.txt
 
 # A plane is one up to rounding, and may be any coordinate plane, seen from either side.
@@ -929,6 +929,78 @@ expect 12 map-volume bar.mesh mirrored.handles -o bad.mesh --json bad.json
 expect 17 map-volume bar.mesh no_such_file.obj -o bad.mesh
 expect 17 map-volume broken.mesh surface.handles -o bad.mesh
 check "errors give no solid" test ! -e bad.mesh
+
+# Formats of solids: the bent bar in each of them is the minimum, and what is not written is refused before anything is computed.
+for extension in mesh meshb vtu vtk msh inp node; do
+  expect 0 deform bar.mesh --handles index_3.txt -o again.$extension --tolerance 1e-6
+  expect 0 deform bar.mesh --handles index_3.txt --start again.$extension --tolerance 1e-5 --json again.json
+  check "$extension: the bent bar comes back" test "$(value again.json iterations)" -le 1
+done
+for arguments in "-o bad.stl" "-o bad.mesh --encoding binary" "-o bad.msh --encoding compressed" "--encoding ascii"; do
+  expect 17 deform bar.mesh --handles index_3.txt $arguments
+done
+expect 0 deform bar.mesh --handles index_3.txt -o again.vtu --encoding compressed
+check "compressed VTU" grep -q 'compressor="vtkZLib' again.vtu
+expect 0 deform again.vtu --handles index_3.txt -o again.vtu
+check "the encoding is kept" grep -q 'compressor="vtkZLib' again.vtu
+check "the regions are kept" test "$(grep -c 'Name="region"' again.vtu)" = 1
+check "fields are replaced, not added" test "$(grep -c 'Name="displacement"' again.vtu)" = 1
+# Of an affine map all values are known.
+vertices_of bar.mesh | awk '{ print NR - 1, 2 * $1 + 3, $2, $3 }' > affine.handles
+expect 0 map-volume bar.mesh affine.handles -o affine.vtk --encoding ascii
+check "values of an affine map" awk '
+  function wrong(value, right) { if(value - right > 1e-7 || right - value > 1e-7) { print name ": " value; failed = 1 } }
+  /^POINTS/ { n = $2; name = "points"; next }
+  /^CELLS/ { name = ""; next }
+  $1 ~ /^(displacement|handle|boundary|volume_ratio|singular_values|symmetric_dirichlet_energy|region)$/ { name = $1; seen[name] = 1; k = 0; next }
+  name == "points" && k < n { x[k++] = $1 }
+  name == "displacement" { wrong($1, (x[k++] - 3) / 2 + 3); wrong($2, 0); wrong($3, 0) }
+  name == "handle" { wrong($1, 1) }
+  name == "volume_ratio" { wrong($1, 2) }
+  name == "singular_values" { wrong($1, 2); wrong($2, 1); wrong($3, 1) }
+  /^POINT_DATA|^CELL_DATA/ { name = "" }
+  END { for(s in seen) ++number; exit failed || number != 7 }' affine.vtk
+# Tetrahedra of ten nodes by their corners.
+{
+  printf '# vtk DataFile Version 3.0\nten nodes\nASCII\nDATASET UNSTRUCTURED_GRID\n'
+  awk '
+    BEGIN { split("1 2 2 3 3 1 1 4 2 4 3 4", ends) }
+    $1 == "Vertices" { getline; n = $1; for(v = 1; v <= n; ++v) { getline; for(c = 1; c <= 3; ++c) x[v, c] = $c } }
+    $1 == "Tetrahedra" {
+      getline; cells = $1
+      for(i = 1; i <= cells; ++i) {
+        getline
+        line = "10 " $1 - 1 " " $2 - 1 " " $3 - 1 " " $4 - 1
+        for(k = 1; k <= 12; k += 2) {
+          a = $(ends[k]); b = $(ends[k + 1])
+          if(!((a, b) in middle)) {
+            middle[a, b] = middle[b, a] = ++n
+            for(c = 1; c <= 3; ++c) x[n, c] = (x[a, c] + x[b, c]) / 2
+          }
+          line = line " " middle[a, b] - 1
+        }
+        text = text line "\n"
+      }
+    }
+    END {
+      print "POINTS", n, "double"
+      for(v = 1; v <= n; ++v) print x[v, 1], x[v, 2], x[v, 3]
+      printf "CELLS %d %d\n%sCELL_TYPES %d\n", cells, 11 * cells, text, cells
+      for(i = 0; i < cells; ++i) print 24
+    }' bar.mesh
+} > ten.vtk
+expect 17 deform ten.vtk --handles index_3.txt -o bad.vtk
+check "tetrahedra of second order are named" grep -q '144 tetrahedra of second order.*--second-order' err.txt
+expect 17 deform ten.vtk --second-order --handles index_3.txt -o bad.mesh
+expect 0 deform ten.vtk --second-order --handles index_3.txt -o ten_out.vtk --tolerance 1e-6
+check "nodes of second order are in the middles" awk '
+  BEGIN { split("1 2 2 3 3 1 1 4 2 4 3 4", ends) }
+  $1 == "POINTS" { n = $2; for(v = 0; v < n; ++v) { getline; for(c = 1; c <= 3; ++c) x[v, c] = $c } }
+  $1 == "CELLS" { cells = $2; for(i = 0; i < cells; ++i) { getline; for(k = 0; k < 6; ++k) for(c = 1; c <= 3; ++c) {
+    d = x[$(6 + k), c] - (x[$(1 + ends[2 * k + 1]), c] + x[$(1 + ends[2 * k + 2]), c]) / 2
+    if(d > 1e-12 || d < -1e-12) wrong = 1
+    ++seen } } }
+  END { exit wrong || seen != 18 * cells || cells == 0 }' ten_out.vtk
 
 rm -f bad.off
 expect 19 deform sheet.off --handles index_2.txt -o bad.off --json bad.json

@@ -78,10 +78,9 @@ public:
   {
     app = application.add_subcommand("deform", "Deform a planar shape or a solid by handles");
     app
-      ->add_option(
-        "input", m_arguments.input,
-        "planar mesh, in a plane x, y or z = const: OFF, OBJ, PLY or STL; tetrahedra: .mesh, .vtu, .node or .ele; or a closed surface, which is "
-        "filled with tetrahedra first")
+      ->add_option("input", m_arguments.input,
+                   "planar mesh, in a plane x, y or z = const: OFF, OBJ, PLY or STL; tetrahedra: " + std::string(VOLUME_EXTENSIONS) +
+                     "; or a closed surface, which is filled with tetrahedra first")
       ->required();
     app
       ->add_option("--handles", m_arguments.handles,
@@ -96,13 +95,14 @@ public:
     app->add_option("--cell-size", m_arguments.cell_size, "closed surfaces: size of tetrahedra over the diagonal of the bounding box")
       ->check(CLI::Range(0.001, 1.))
       ->capture_default_str();
+    add_solid_options(*app, m_arguments);
     add_method_options(*app, m_arguments.method);
     add_picture_options(*app, m_arguments.pictures);
   }
 
   int run() override
   {
-    m_is_volume = is_volume(m_arguments.input);
+    m_is_volume = is_volume_file(m_arguments.input);
     std::string reason = why_not_available(m_arguments.method, m_is_volume ? 3 : 2);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_arguments.input}, {"--handles", m_arguments.handles}, {"--start", m_arguments.start}},
@@ -113,38 +113,35 @@ public:
   }
 
 private:
-  static bool is_volume(const std::string& path)
-  {
-    const std::string extension = FFM::internal::lower_case_extension(path);
-    return extension == ".mesh" || extension == ".vtu" || extension == ".node" || extension == ".ele";
-  }
-
   void deform(FFM::Summary& summary)
   {
     check_folders(files_of(m_arguments));
     if(m_is_volume) {
-      FFM::Tetrahedral_mesh mesh;
-      std::string message;
-      check(FFM::read_volume(m_arguments.input, mesh, &message), message);
-      deform_solid(m_arguments, std::move(mesh), summary);
+      check_solid_output(m_arguments);
+      deform_solid(m_arguments, read_solid(m_arguments.input, m_arguments.second_order), summary);
       return;
     }
     const std::string extension = small_extension(m_arguments.input);
     check(extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl",
           "cannot read " + m_arguments.input +
-            ": planar meshes and surfaces are read from files .off, .obj, .ply and .stl, tetrahedra from .mesh, .vtu, .node and .ele");
+            ": planar meshes and surfaces are read from files .off, .obj, .ply and .stl, tetrahedra from " + VOLUME_EXTENSIONS);
     Triangles triangles;
     read_triangles(m_arguments.input, triangles);
-    if(CGAL::is_closed(triangles.mesh))
-      deform_solid(m_arguments, tetrahedralized(triangles.mesh, m_arguments.cell_size), summary);
-    else
+    if(CGAL::is_closed(triangles.mesh)) {
+      check_solid_output(m_arguments);
+      Solid_input input;
+      input.file = make_volume_file(tetrahedralized(triangles.mesh, m_arguments.cell_size));
+      take_solid(input.file, false, input.solid);
+      deform_solid(m_arguments, std::move(input), summary);
+    } else
       deform_planar(triangles, summary);
   }
 
   void deform_planar(Triangles& triangles, FFM::Summary& summary)
   {
-    if(!m_arguments.start.empty() || m_arguments.soft_weight > 0 || m_arguments.tikhonov > 0)
-      throw Failure{Status::invalid_option, "--start, --soft-weight and --tikhonov are for solids"};
+    if(!m_arguments.start.empty() || m_arguments.soft_weight > 0 || m_arguments.tikhonov > 0 || m_arguments.second_order ||
+       !m_arguments.encoding.empty())
+      throw Failure{Status::invalid_option, "--start, --soft-weight, --tikhonov, --second-order and --encoding are for solids"};
     Mesh& mesh = triangles.mesh;
     const std::string extension = small_extension(m_arguments.output);
     check(m_arguments.output.empty() || extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl",

@@ -10,6 +10,8 @@
 #ifndef FLIP_FREE_MAPS_PROGRAM_COMMANDS_DEFORM_H
 #define FLIP_FREE_MAPS_PROGRAM_COMMANDS_DEFORM_H
 
+#include "solid_fields.h"
+
 #include "../layout.h"
 #include "../report.h"
 
@@ -27,13 +29,20 @@ struct Deform_arguments
   Picture_arguments pictures;
   std::string input, handles, output, start;
   double soft_weight = 0, tikhonov = 0, cell_size = 0.05;
+  bool second_order = false; // tetrahedra of 10 nodes are taken
+  std::string encoding;      // of the output; empty for the usual one
 };
+
+// Options of all sub-commands for solids in files.
+void add_solid_options(CLI::App& command, Deform_arguments& arguments);
 
 // All files that a call writes, the mesh first.
 std::vector<File_argument> files_of(const Deform_arguments& arguments);
 
-// Fails if an output of a solid has an extension that is not written.
-void check_solid_output(const std::string& path);
+// Fails if the output of a solid has an extension or an encoding that is not written.
+void check_solid_output(const Deform_arguments& arguments);
+// ... or does not hold the kinds of cells of this file.
+void check_solid_output(const Deform_arguments& arguments, const Volume_file& file);
 
 // Fills a closed surface with tetrahedra.
 FFM::Tetrahedral_mesh tetrahedralized(const Mesh& surface, double cell_size);
@@ -42,11 +51,11 @@ FFM::Tetrahedral_mesh tetrahedralized(const Mesh& surface, double cell_size);
 FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume);
 
 // Deforms a solid, writes it and draws it.
-void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh, FFM::Summary& summary);
+void deform_solid(const Deform_arguments& arguments, Solid_input input, FFM::Summary& summary);
 
-// Writes and draws a solid whose points went to `result`.
-void write_solid(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume,
-                 const std::vector<Kernel::Point_3>& result, const FFM::Summary& summary);
+// Writes and draws a solid whose points went to `result`; `handles` are the vertices whose places were given.
+void write_solid(const Deform_arguments& arguments, Solid_input input, const FFM::Tetrahedral_domain& volume,
+                 const std::vector<Kernel::Point_3>& result, const std::vector<std::size_t>& handles, const FFM::Summary& summary);
 
 } // namespace program
 

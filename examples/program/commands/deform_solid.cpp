@@ -9,40 +9,19 @@
 
 #include "../splitting.h"
 
-#include "../formats/VTU.h"
 #include "../formats/volume_files.h"
-#include "../formats/volume_text.h"
 #include "../pictures/Surface_picture.h"
 #include <CGAL/Flip_free_maps/deform_volume.h>
-#include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 namespace program {
 
 namespace {
-
-// Distortion of each tetrahedron of the user's mesh: those of a map may come from another mesh with the same numbers.
-std::vector<double> distortions(const FFM::Simplicial_domain<3>& domain, const FFM::Tetrahedral_domain& numbers,
-                                const std::vector<Kernel::Point_3>& points)
-{
-  FFM::Positions<3> x(3, domain.number_of_vertices);
-  for(std::int32_t v = 0; v < domain.number_of_vertices; ++v) {
-    const Kernel::Point_3& p = points[numbers.vertices()[v]];
-    x.col(v) = numbers.to_domain(Eigen::Vector3d(p.x(), p.y(), p.z()));
-  }
-  const FFM::Map_measure<3> measure(domain);
-  std::vector<double> result;
-  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
-    const Eigen::Vector3d s = measure.singular_values(x, e);
-    result.push_back(s[2] > 0 ? (std::min)(FFM::Symmetric_dirichlet().value<3>(s), 1e30) : 1e30);
-  }
-  return result;
-}
 
 void draw(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& before, const FFM::Tetrahedral_mesh& after,
           const std::vector<double>& distortion, double energy)
@@ -66,26 +45,9 @@ void draw(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& before
   check(FFM::write_surface_PNG(arguments.pictures.png, {rest, image}, options, &message), message);
 }
 
-// Writes the input's file with other points, where the output is of its format. `false` for formats of which nothing is kept.
-bool write_back(const Deform_arguments& arguments, const std::vector<std::array<double, 3>>& points)
+std::optional<Volume_encoding> encoding_of(const Deform_arguments& arguments)
 {
-  const auto read = [](const std::string& path) {
-    std::string text, message;
-    check(FFM::internal::read_whole_file(path, text, &message), message);
-    return text;
-  };
-  const auto is_tetgen = [](const std::string& path) { return small_extension(path) == ".node" || small_extension(path) == ".ele"; };
-  if(small_extension(arguments.input) == ".mesh" && small_extension(arguments.output) == ".mesh")
-    write_text(arguments.output, Medit_with_points(read(arguments.input), points));
-  else if(is_tetgen(arguments.input) && is_tetgen(arguments.output)) {
-    const auto [node_input, element_input] = FFM::internal::tetgen_file_names(arguments.input);
-    const auto [node_output, element_output] = FFM::internal::tetgen_file_names(arguments.output);
-    const std::string elements = read(element_input);
-    write_text(node_output, Tetgen_with_points(read(node_input), points));
-    write_text(element_output, elements);
-  } else
-    return false;
-  return true;
+  return arguments.encoding.empty() ? std::nullopt : std::make_optional(volume_encoding(arguments.encoding));
 }
 
 } // namespace
@@ -99,11 +61,28 @@ std::vector<File_argument> files_of(const Deform_arguments& arguments)
           {"--png", arguments.pictures.png}};
 }
 
-void check_solid_output(const std::string& path)
+void add_solid_options(CLI::App& command, Deform_arguments& arguments)
 {
-  const std::string extension = small_extension(path);
-  check(path.empty() || extension == ".mesh" || extension == ".vtu" || extension == ".node" || extension == ".ele",
-        "cannot write " + path + ": solids are written to files .mesh, .vtu, .node and .ele");
+  command.add_flag("--second-order", arguments.second_order,
+                   "map tetrahedra of 10 nodes by their corners; the other nodes go to the middles of the mapped edges");
+  command
+    .add_option("--encoding", arguments.encoding,
+                "of the output: ascii or binary for .vtk and .msh; ascii, binary (raw), base64 or compressed for .vtu. That of the input "
+                "if it has the same format, otherwise base64 for .vtu and binary for .vtk and .msh")
+    ->check(CLI::IsMember(volume_encoding_names()));
+}
+
+void check_solid_output(const Deform_arguments& arguments)
+{
+  check(!arguments.output.empty() || arguments.encoding.empty(), "--encoding needs an output");
+  const std::string reason = arguments.output.empty() ? "" : why_volume_not_written(arguments.output, encoding_of(arguments));
+  check(reason.empty(), reason);
+}
+
+void check_solid_output(const Deform_arguments& arguments, const Volume_file& file)
+{
+  const std::string reason = arguments.output.empty() ? "" : why_volume_not_written(arguments.output, file);
+  check(reason.empty(), reason);
 }
 
 FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume)
@@ -120,11 +99,13 @@ FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedr
   return handles;
 }
 
-void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh, FFM::Summary& summary)
+void deform_solid(const Deform_arguments& arguments, Solid_input input, FFM::Summary& summary)
 {
   if(!arguments.pictures.svg.empty())
     throw Failure{Status::invalid_option, "solids are drawn to PNG only"};
-  check_solid_output(arguments.output);
+  check_solid_output(arguments);
+  check_solid_output(arguments, input.file);
+  const FFM::Tetrahedral_mesh& mesh = input.solid.mesh;
   FFM::Tetrahedral_domain volume;
   std::string message;
   const Status status = volume.load(mesh.points, mesh.tetrahedra, message);
@@ -146,8 +127,7 @@ void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh,
   FFM::Deform_volume_options options;
   options.soft_weight = arguments.soft_weight;
   if(!arguments.start.empty()) {
-    FFM::Tetrahedral_mesh start;
-    check(FFM::read_volume(arguments.start, start, &message), message);
+    const FFM::Tetrahedral_mesh start = read_solid(arguments.start, arguments.second_order).solid.mesh;
     check(start.points.size() == mesh.points.size(), arguments.start + " has another number of vertices than " + arguments.input);
     options.start.resize(3, volume.vertices().size());
     for(std::size_t v = 0; v < volume.vertices().size(); ++v)
@@ -161,25 +141,31 @@ void deform_solid(const Deform_arguments& arguments, FFM::Tetrahedral_mesh mesh,
   }
   reporter->finish();
   if(summary.is_valid())
-    write_solid(arguments, mesh, volume, result, summary);
+    write_solid(arguments, std::move(input), volume, result, {read.vertices.begin(), read.vertices.end()}, summary);
 }
 
-void write_solid(const Deform_arguments& arguments, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume,
-                 const std::vector<Kernel::Point_3>& result, const FFM::Summary& summary)
+void write_solid(const Deform_arguments& arguments, Solid_input input, const FFM::Tetrahedral_domain& volume,
+                 const std::vector<Kernel::Point_3>& result, const std::vector<std::size_t>& handles, const FFM::Summary& summary)
 {
-  std::string message;
-  const std::vector<double> distortion = distortions(volume.domain(), volume, result);
-  FFM::Tetrahedral_mesh deformed = mesh;
+  const std::vector<Eigen::Vector3d> singular_values = singular_values_of(volume.domain(), volume, result);
+  FFM::Tetrahedral_mesh deformed = input.solid.mesh;
   for(std::size_t i = 0; i < result.size(); ++i)
     deformed.points[i] = {result[i].x(), result[i].y(), result[i].z()};
-  if(!arguments.output.empty() && !write_back(arguments, deformed.points)) {
-    const bool is_vtu = small_extension(arguments.output) == ".vtu";
-    check(is_vtu ? FFM::write_VTU(arguments.output, deformed, {}, {{"symmetric_dirichlet_energy", 1, distortion}}, &message)
-                 : FFM::write_volume(arguments.output, deformed, &message),
-          message);
+  center_mid_nodes(input.file.cells, deformed.points);
+  if(!arguments.output.empty()) {
+    const std::string extension = small_extension(arguments.output);
+    if(extension == ".vtu" || extension == ".vtk")
+      add_solid_fields(input.solid, singular_values, deformed.points, handles, input.file);
+    input.file.points = deformed.points;
+    const std::string error = write_volume_file(arguments.output, input.file, encoding_of(arguments));
+    check(error.empty(), error);
   }
-  if(!arguments.pictures.png.empty())
-    draw(arguments, mesh, deformed, distortion, summary.energy);
+  if(!arguments.pictures.png.empty()) {
+    std::vector<double> distortion;
+    for(const Eigen::Vector3d& s : singular_values)
+      distortion.push_back(distortion_of(s));
+    draw(arguments, input.solid.mesh, deformed, distortion, summary.energy);
+  }
 }
 
 } // namespace program

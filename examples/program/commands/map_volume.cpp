@@ -28,18 +28,19 @@ public:
   {
     app = application.add_subcommand("map-volume", "Map a solid to another one, whose surface is given");
     m_arguments.method.energy = "symmetric-gradient";
-    app->add_option("input", m_arguments.input, "tetrahedra: .mesh, .vtu, .node or .ele")->required();
+    app->add_option("input", m_arguments.input, "tetrahedra: " + std::string(VOLUME_EXTENSIONS))->required();
     app
       ->add_option("target", m_arguments.handles,
                    "surface (OFF, OBJ or PLY) whose vertex k is where vertex k of the solid goes, or a file .handles with a line for each "
                    "vertex on the boundary, as for deform")
       ->required();
-    app->add_option("-o,--output", m_arguments.output, "the mapped solid: .mesh, .vtu, .node or .ele");
+    app->add_option("-o,--output", m_arguments.output, "the mapped solid: " + std::string(VOLUME_EXTENSIONS));
     app->add_option("--start", m_arguments.start, "the same mesh, mapped, perhaps with flips, instead of the mean of neighbours inside");
     app->add_option("--energy", m_arguments.method.energy, "what is minimised when the flips are gone")
       ->check(CLI::IsMember({"symmetric-gradient", "symmetric-dirichlet"}))
       ->capture_default_str();
     app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
+    add_solid_options(*app, m_arguments);
     add_limit_options(*app, m_arguments.method);
     refuse_without_cairo(app->add_option("--png", m_arguments.pictures.png, "draw the solid before and after, coloured by distortion"));
     app->add_option("--picture-width", m_arguments.pictures.width, "width of the drawing in pixels")
@@ -60,10 +61,11 @@ private:
   void map(FFM::Summary& summary)
   {
     check_folders(files_of(m_arguments));
-    check_solid_output(m_arguments.output);
-    FFM::Tetrahedral_mesh mesh;
+    check_solid_output(m_arguments);
+    Solid_input input = read_solid(m_arguments.input, m_arguments.second_order);
+    check_solid_output(m_arguments, input.file);
+    const FFM::Tetrahedral_mesh& mesh = input.solid.mesh;
     std::string message;
-    check(FFM::read_volume(m_arguments.input, mesh, &message), message);
     FFM::Tetrahedral_domain volume;
     const Status status = volume.load(mesh.points, mesh.tetrahedra, message);
     if(status != Status::success)
@@ -71,8 +73,7 @@ private:
 
     std::vector<Kernel::Point_3> result = points_of(mesh);
     if(!m_arguments.start.empty()) {
-      FFM::Tetrahedral_mesh start;
-      check(FFM::read_volume(m_arguments.start, start, &message), message);
+      const FFM::Tetrahedral_mesh start = read_solid(m_arguments.start, m_arguments.second_order).solid.mesh;
       check(start.points.size() == mesh.points.size(), m_arguments.start + " has another number of vertices than " + m_arguments.input);
       result = points_of(start);
     }
@@ -104,7 +105,10 @@ private:
     const Status written = volume.write_back(x, CGAL::make_property_map(result), message, exact_places);
     if(written != Status::success)
       throw Failure{written, message};
-    write_solid(m_arguments, mesh, volume, result, summary);
+    std::vector<std::size_t> handles;
+    for(const std::int32_t v : boundary)
+      handles.push_back(volume.vertices()[v]);
+    write_solid(m_arguments, std::move(input), volume, result, handles, summary);
   }
 
   static std::vector<Kernel::Point_3> points_of(const FFM::Tetrahedral_mesh& mesh)
@@ -119,7 +123,7 @@ private:
   std::vector<std::int32_t> read_target(const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume,
                                         std::vector<Kernel::Point_3>& result) const
   {
-    if(FFM::internal::lower_case_extension(m_arguments.handles) == ".handles") {
+    if(small_extension(m_arguments.handles) == ".handles") {
       const FFM::Handles<3> read = read_solid_handles(m_arguments.handles, mesh, volume);
       std::vector<std::int32_t> boundary;
       for(std::size_t i = 0; i < read.vertices.size(); ++i) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace program {
@@ -56,6 +57,17 @@ private:
   std::size_t m_position = 0;
   bool m_is_big_endian, m_has_failed = false;
 };
+
+// Adds a number in bytes of either order.
+template <typename Number>
+void append_number_bytes(std::string& text, Number number, bool is_big_endian)
+{
+  char buffer[sizeof(Number)];
+  std::memcpy(buffer, &number, sizeof(Number));
+  if(is_big_endian == is_first_byte_lowest())
+    std::reverse(buffer, buffer + sizeof(Number));
+  text.append(buffer, sizeof(Number));
+}
 
 } // namespace program
 

@@ -5,77 +5,71 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
+// Files of solids of all formats: the extension of a name tells the format.
+
 #ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_VOLUME_FILES_H
 #define FLIP_FREE_MAPS_PROGRAM_FORMATS_VOLUME_FILES_H
 
-#include "Tetgen_files.h"
-#include "VTU.h"
-#include <CGAL/Flip_free_maps/IO/Medit.h>
-#include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
+#include "Volume_file.h"
+
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
-#include <filesystem>
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
+
+namespace program {
+
+// The extensions, for texts.
+constexpr const char* VOLUME_EXTENSIONS = ".mesh, .meshb, .vtu, .vtk, .msh, .inp, .node or .ele";
+
+// Whether the name has one of them.
+bool is_volume_file(const std::string& path);
+
+// Reads a file. Returns the empty string, or the reason of a failure with the line or byte of the file where there is one; `file` is
+// unchanged then.
+std::string read_volume_file(const std::string& path, Volume_file& file);
+
+// The names of encodings that an option takes.
+std::vector<std::string> volume_encoding_names();
+Volume_encoding volume_encoding(const std::string& name);
+
+// Why no solid, or not this one, can be written under this name and in this encoding; empty if it can. Nothing is read or written.
+std::string why_volume_not_written(const std::string& path, std::optional<Volume_encoding> encoding = std::nullopt);
+std::string why_volume_not_written(const std::string& path, const Volume_file& file);
+
+// Writes a file. What `file` was read from is written back with its points, if that was a file of the same format and encoding: in
+// Medit, TetGen, Gmsh and Abaqus files nothing else changes, those of VTK keep all arrays. Otherwise a new file has what its format
+// holds of points, cells, regions and groups, and of arrays if it is one of VTK. Returns the empty string, or the reason of a failure.
+std::string write_volume_file(const std::string& path, const Volume_file& file, std::optional<Volume_encoding> encoding = std::nullopt);
+
+// The values at the points of a file that have this name. Returns the empty string, or the reason of a failure, which lists the names
+// that there are; `array` is unchanged then.
+std::string read_point_array(const std::string& path, const std::string& name, Data_array& array);
+
+} // namespace program
 
 namespace CGAL {
 namespace Flip_free_maps {
-namespace internal {
-
-inline std::string lower_case_extension(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  for(char& c : extension)
-    if(c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
-
-inline bool fail_by_extension(const std::string& path, std::string* message)
-{
-  return fail(message, path + ": no format of tetrahedral meshes has this extension; known are .mesh (Medit), .vtu (VTK), .node and "
-                              ".ele (TetGen)");
-}
-
-} // namespace internal
 
 /*!
-  reads a tetrahedral mesh from a file whose extension tells the format: `.mesh` (`read_Medit()`), `.vtu` (`read_VTU()`), `.node`
-  or `.ele` (`read_Tetgen_files()`).
+  reads the tetrahedra and triangles of a file, whose extension tells the format, and nothing else.
 
   \param path name of the file
   \param mesh receives the mesh; it is not changed if the file cannot be read
   \param message if not null, receives the reason of a failure, and the empty string on success
 */
-inline bool read_volume(const std::string& path, Tetrahedral_mesh& mesh, std::string* message = nullptr)
-{
-  const std::string extension = internal::lower_case_extension(path);
-  if(extension == ".mesh")
-    return read_Medit(path, mesh, message);
-  if(extension == ".vtu")
-    return read_VTU(path, mesh, message);
-  if(extension == ".node" || extension == ".ele")
-    return read_Tetgen_files(path, mesh, message);
-  return internal::fail_by_extension(path, message);
-}
+bool read_volume(const std::string& path, Tetrahedral_mesh& mesh, std::string* message = nullptr);
 
 /*!
-  writes a tetrahedral mesh to a file whose extension tells the format, as in `read_volume()`. `write_VTU()` can add values.
+  writes a tetrahedral mesh to a file whose extension tells the format.
 
   \param path name of the file; an existing file is replaced
-  \param mesh the mesh
+  \param mesh the mesh; its coordinates must be finite and its indices valid
   \param message if not null, receives the reason of a failure, and the empty string on success
 */
-inline bool write_volume(const std::string& path, const Tetrahedral_mesh& mesh, std::string* message = nullptr)
-{
-  const std::string extension = internal::lower_case_extension(path);
-  if(extension == ".mesh")
-    return write_Medit(path, mesh, message);
-  if(extension == ".vtu")
-    return write_VTU(path, mesh, {}, {}, message);
-  if(extension == ".node" || extension == ".ele")
-    return write_Tetgen_files(path, mesh, message);
-  return internal::fail_by_extension(path, message);
-}
+bool write_volume(const std::string& path, const Tetrahedral_mesh& mesh, std::string* message = nullptr);
 
 } // namespace Flip_free_maps
 } // namespace CGAL

@@ -26,6 +26,12 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
+// The references of a file's entities, where there are any.
+struct Medit_references
+{
+  std::vector<long long> points, triangles, tetrahedra;
+};
+
 class Medit_reader
 {
 public:
@@ -34,13 +40,16 @@ public:
 
   Tetrahedral_mesh& mesh() { return m_mesh; }
 
+  // As many as there are entities; 0 where the file gives none.
+  const Medit_references& references() const { return m_references; }
+
 private:
   bool read_section(Word_reader& reader);
 
   bool read_points(Word_reader& reader);
 
   template <std::size_t N>
-  bool read_elements(Word_reader& reader, std::vector<std::array<int, N>>& elements)
+  bool read_elements(Word_reader& reader, std::vector<std::array<int, N>>& elements, std::vector<long long>& references)
   {
     std::size_t count = 0;
     if(!reader.read_count(count))
@@ -59,19 +68,23 @@ private:
         index = static_cast<int>(value - 1);
       }
       elements.push_back(element);
-      if(!skip_reference(reader))
+      if(!read_reference(reader, references))
         return false;
     }
     return true;
   }
 
   // Some programs leave the reference out; then the next word begins a new line.
-  static bool skip_reference(Word_reader& reader);
+  static bool read_reference(Word_reader& reader, std::vector<long long>& references);
 
   Tetrahedral_mesh m_mesh;
+  Medit_references m_references;
   bool m_has_points = false;
   bool m_is_skipping = true; // the number of the version follows the first word
 };
+
+// The content of a file. Where there are no references, they are 0 for points and 1 for triangles and tetrahedra.
+std::string Medit_text(const Tetrahedral_mesh& mesh, const Medit_references& references = Medit_references());
 
 } // namespace internal
 

@@ -13,9 +13,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -61,7 +64,8 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Medit_reader::read_section(Word_reader& reader)
   if(keyword == "Tetrahedra" || keyword == "Triangles") {
     m_is_skipping = false;
     reader.skip_word();
-    return keyword == "Tetrahedra" ? read_elements(reader, m_mesh.tetrahedra) : read_elements(reader, m_mesh.triangles);
+    return keyword == "Tetrahedra" ? read_elements(reader, m_mesh.tetrahedra, m_references.tetrahedra)
+                                   : read_elements(reader, m_mesh.triangles, m_references.triangles);
   }
   // Deformed without them, the tetrahedra would part from other elements.
   for(const std::string_view kind : {"Hexahedra", "Prisms", "Pyramids", "TetrahedraP2"})
@@ -94,16 +98,45 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Medit_reader::read_points(Word_reader& reader)
       if(!reader.read_finite(coordinate))
         return false;
     m_mesh.points.push_back(point);
-    if(!skip_reference(reader))
+    if(!read_reference(reader, m_references.points))
       return false;
   }
   return true;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Medit_reader::skip_reference(Word_reader& reader)
+CGAL_FLIP_FREE_MAPS_INLINE bool Medit_reader::read_reference(Word_reader& reader, std::vector<long long>& references)
 {
-  double ignored = 0;
-  return !reader.is_line_continued() || reader.read_finite(ignored);
+  double value = 0;
+  if(reader.is_line_continued() && !reader.read_finite(value))
+    return false;
+  references.push_back(std::abs(value) < 1e15 ? static_cast<long long>(value) : 0);
+  return true;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::string Medit_text(const Tetrahedral_mesh& mesh, const Medit_references& references)
+{
+  std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n" + std::to_string(mesh.points.size()) + '\n';
+  const auto append_reference = [&text](const std::vector<long long>& list, std::size_t i, long long usual) {
+    text += ' ';
+    append_number(text, i < list.size() ? list[i] : usual);
+    text += '\n';
+  };
+  for(std::size_t i = 0; i < mesh.points.size(); ++i) {
+    append_coordinates(text, mesh.points[i]);
+    append_reference(references.points, i, 0);
+  }
+  const auto append_section = [&](const char* keyword, const auto& elements, const std::vector<long long>& list) {
+    if(elements.empty())
+      return;
+    text += std::string(keyword) + '\n' + std::to_string(elements.size()) + '\n';
+    for(std::size_t i = 0; i < elements.size(); ++i) {
+      append_numbers(text, elements[i], 1);
+      append_reference(list, i, 1);
+    }
+  };
+  append_section("Triangles", mesh.triangles, references.triangles);
+  append_section("Tetrahedra", mesh.tetrahedra, references.tetrahedra);
+  return text + "End\n";
 }
 
 } // namespace internal
@@ -118,25 +151,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool write_Medit(const std::string& path, const Tetra
   const std::string error = internal::tetrahedral_mesh_error(mesh);
   if(!error.empty())
     return internal::fail(message, "cannot write " + path + ": " + error);
-
-  std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n" + std::to_string(mesh.points.size()) + '\n';
-  for(const std::array<double, 3>& point : mesh.points) {
-    internal::append_coordinates(text, point);
-    text += " 0\n";
-  }
-  const auto append_section = [&text](const char* keyword, const auto& elements) {
-    if(elements.empty())
-      return;
-    text += std::string(keyword) + '\n' + std::to_string(elements.size()) + '\n';
-    for(const auto& element : elements) {
-      internal::append_numbers(text, element, 1);
-      text += " 1\n";
-    }
-  };
-  append_section("Triangles", mesh.triangles);
-  append_section("Tetrahedra", mesh.tetrahedra);
-  text += "End\n";
-  return internal::write_whole_file(path, text, message);
+  return internal::write_whole_file(path, internal::Medit_text(mesh), message);
 }
 
 } // namespace Flip_free_maps
