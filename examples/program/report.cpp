@@ -13,12 +13,10 @@
 #include <tbb/global_control.h>
 #endif
 
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <sstream>
-#include <unistd.h>
 
 namespace program {
 
@@ -41,9 +39,7 @@ void write_json(const std::string& path, const nlohmann::json& json)
 }
 
 Reporter::Reporter(const Method_arguments& arguments)
-  : m_quiet(arguments.quiet || !isatty(STDERR_FILENO)),
-    m_trace_path(arguments.trace),
-    m_trace("iteration,seconds,energy,gradient_norm,step,flips,factorizations\n")
+  : m_progress(arguments), m_trace_path(arguments.trace), m_trace("iteration,seconds,energy,gradient_norm,step,flips,factorizations\n")
 {}
 
 bool Reporter::operator()(const FFM::Iteration_report& report)
@@ -55,16 +51,13 @@ bool Reporter::operator()(const FFM::Iteration_report& report)
         << report.flips << ',' << report.factorizations << '\n';
     m_trace += row.str();
   }
-  if(!m_quiet)
-    std::fprintf(stderr, "\riteration %d  energy %.8f  gradient %.2e  %.1f s   ", report.iteration, report.energy,
-                 report.characteristic_gradient_norm, report.seconds);
+  m_progress(report);
   return true;
 }
 
 void Reporter::finish()
 {
-  if(!m_quiet)
-    std::fputc('\n', stderr);
+  m_progress.finish();
   if(!m_trace_path.empty())
     write_text(m_trace_path, m_trace);
 }
@@ -116,8 +109,10 @@ int report(const Method_arguments& arguments, Status status, const std::string& 
     write_json(arguments.json, json);
   } catch(const Failure& failure) {
     std::cerr << "flip_free_maps: " << failure.message << '\n';
+    end_progress(arguments, failure.status, failure.message);
     return exit_code(failure.status);
   }
+  end_progress(arguments, status, message);
   if(!FFM::is_valid_map(status))
     std::cerr << "flip_free_maps: " << FFM::status_name(status) << ": " << message << '\n';
   else if(!arguments.quiet)

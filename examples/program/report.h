@@ -11,6 +11,7 @@
 #define FLIP_FREE_MAPS_PROGRAM_REPORT_H
 
 #include "method_arguments.h"
+#include "progress.h"
 
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
@@ -38,7 +39,7 @@ public:
   void finish();
 
 private:
-  bool m_quiet;
+  Progress m_progress;
   std::string m_trace_path, m_trace;
 };
 

@@ -21,7 +21,6 @@
 #include <map>
 #include <memory>
 #include <sstream>
-#include <unistd.h>
 #include <utility>
 
 namespace program {
@@ -127,11 +126,10 @@ private:
     }
     if(m_limits.time_limit > 0)
       options.max_seconds = m_limits.time_limit;
-    const bool is_quiet = m_limits.quiet || !isatty(STDERR_FILENO);
-    if(!is_quiet)
-      options.observer = [](const FFM::Unwrap_progress& progress) {
-        std::fprintf(stderr, "\rchart %d of %d  %.0f %% of the faces  %.1f s   ", progress.charts_done + 1, progress.charts,
-                     100. * progress.faces_done / progress.faces, progress.seconds);
+    Progress progress(m_limits);
+    if(progress.is_shown())
+      options.observer = [&progress](const FFM::Unwrap_progress& report) {
+        progress(report);
         return true;
       };
     FFM::Flip_free_map_traits<> traits;
@@ -140,8 +138,7 @@ private:
     summary = FFM::unwrap(surface.points, surface.polygons, images,
                           FFM::parameters::unwrap_options(
                             options, FFM::parameters::map_traits(traits, CGAL::parameters::edge_is_constrained_map(Edge_set(seams)))));
-    if(!is_quiet)
-      std::fputc('\n', stderr);
+    progress.finish();
     if(!summary.is_valid())
       return;
     draw(summary, surface, images);
