@@ -66,6 +66,11 @@ void add_limit_options(CLI::App& command, Method_arguments& arguments)
   command.add_option("--threads", arguments.threads, "at most this many; results do not depend on it")->check(CLI::PositiveNumber);
   command.add_option("--json", arguments.json, "write the summary");
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+  command
+    .add_option("--progress", arguments.progress,
+                "json: lines of JSON on the standard error stream, for programs that call this one; with the phase and the share that is "
+                "done, the iteration and the energy or charts and faces; the last has the phase 'end', the status and the message")
+    ->check(CLI::IsMember({"json"}));
 }
 
 std::string option_without_number(const CLI::App& command)

@@ -22,7 +22,7 @@ namespace program {
 // The options of all sub-commands that minimise an energy.
 struct Method_arguments : Method_choice
 {
-  std::string json, trace;
+  std::string json, trace, progress;
   double memory_budget = 0;
   int threads = 0;
   bool quiet = false, polish = false;

@@ -16,12 +16,6 @@
 #include <tbb/global_control.h>
 #endif
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
-
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -61,19 +55,8 @@ void write_json(const std::string& path, const nlohmann::json& json)
   write_text(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
 }
 
-bool shows_progress(const Method_arguments& arguments)
-{
-#ifdef _WIN32
-  return !arguments.quiet && _isatty(_fileno(stderr));
-#else
-  return !arguments.quiet && isatty(STDERR_FILENO);
-#endif
-}
-
 Reporter::Reporter(const Method_arguments& arguments)
-  : m_quiet(!shows_progress(arguments)),
-    m_trace_path(arguments.trace),
-    m_trace("iteration,seconds,energy,gradient_norm,step,flips,factorizations\n")
+  : m_progress(arguments), m_trace_path(arguments.trace), m_trace("iteration,seconds,energy,gradient_norm,step,flips,factorizations\n")
 {}
 
 bool Reporter::operator()(const FFM::Iteration_report& report)
@@ -85,16 +68,13 @@ bool Reporter::operator()(const FFM::Iteration_report& report)
         << report.flips << ',' << report.factorizations << '\n';
     m_trace += row.str();
   }
-  if(!m_quiet)
-    std::fprintf(stderr, "\riteration %d  energy %.8f  gradient %.2e  %.1f s   ", report.iteration, report.energy,
-                 report.characteristic_gradient_norm, report.seconds);
+  m_progress(report);
   return true;
 }
 
 void Reporter::finish()
 {
-  if(!m_quiet)
-    std::fputc('\n', stderr);
+  m_progress.finish();
   if(!m_trace_path.empty())
     write_text(m_trace_path, m_trace);
 }
@@ -148,8 +128,10 @@ int report(const Method_arguments& arguments, Status status, const std::string& 
     write_json(arguments.json, json);
   } catch(const Failure& failure) {
     std::cerr << "flip_free_maps: " << failure.message << '\n';
+    end_progress(arguments, failure.status, failure.message);
     return exit_code(failure.status);
   }
+  end_progress(arguments, status, message);
   if(!FFM::is_valid_map(status))
     std::cerr << "flip_free_maps: " << FFM::status_name(status) << ": " << message << '\n';
   else if(!arguments.quiet)

@@ -11,6 +11,7 @@
 #define FLIP_FREE_MAPS_PROGRAM_REPORT_H
 
 #include "method_arguments.h"
+#include "progress.h"
 
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
@@ -29,9 +30,6 @@ std::string exit_codes_text();
 
 void write_json(const std::string& path, const nlohmann::json& json);
 
-// Whether someone watches.
-bool shows_progress(const Method_arguments& arguments);
-
 // What a run leaves behind besides the map.
 class Reporter
 {
@@ -41,7 +39,7 @@ public:
   void finish();
 
 private:
-  bool m_quiet;
+  Progress m_progress;
   std::string m_trace_path, m_trace;
 };
 

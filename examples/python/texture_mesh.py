@@ -34,7 +34,7 @@ def knot(n=240, m=16):
     angle = (2 * np.pi * np.arange(m) / m)[None, :, None]
     points = curve[:, None] + 0.4 * (np.cos(angle) * normal[:, None] + np.sin(angle) * binormal[:, None])
     i, j = (a.ravel() for a in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
-    a, b, c, d = (((i + k) % n) * m + (j + l) % m for k, l in ((0, 0), (1, 0), (1, 1), (0, 1)))
+    a, b, c, d = (((i + k) % n) * m + (j + l) % m for k, l in ((0, 0), (0, 1), (1, 1), (1, 0)))
     return points.reshape(-1, 3), np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
 
 

@@ -13,19 +13,26 @@
 #include "atlas/atlas_checks.h"
 
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/internal/for_each_index_watched.h>
+#include <CGAL/Flip_free_maps/measure_distortion.h>
 #include <CGAL/Flip_free_maps/pack_charts.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #endif
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -446,6 +453,33 @@ BOOST_AUTO_TEST_CASE(numbers_of_low_precision)
   BOOST_TEST(!has_overlap(surface.mesh, uv));
 }
 
+BOOST_AUTO_TEST_CASE(polygons_for_files)
+{
+  // A box whose top and bottom are not convex: an L of six corners, and six rectangles around.
+  const double outline[6][2] = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> low, high;
+  for(const auto& p : outline) {
+    low.push_back(mesh.add_vertex(Mesh::Point(p[0], p[1], 0)));
+    high.push_back(mesh.add_vertex(Mesh::Point(p[0], p[1], 1)));
+  }
+  for(std::size_t i = 0; i < 6; ++i)
+    mesh.add_face(low[i], low[(i + 1) % 6], high[(i + 1) % 6], high[i]);
+  mesh.add_face(high);
+  mesh.add_face(std::vector<Mesh::Vertex_index>(low.rbegin(), low.rend()));
+  const Corner_map uv = mesh.add_property_map<Halfedge, Point_2>("h:uv").first;
+  const FFM::Unwrap_summary summary = FFM::unwrap(mesh, uv);
+  BOOST_TEST_REQUIRE(summary.is_valid(), summary.message);
+  const FFM::Textured_mesh textured = FFM::textured_atlas(mesh, uv);
+  BOOST_TEST(textured.points.size() == 12u);
+  BOOST_TEST(textured.triangles.size() == 2u * 4 + 6 * 2);
+  BOOST_TEST(FFM::is_bijective(textured));
+  // All of the surface is there: two L of area 5, and sides of height 1 and total length 12.
+  const FFM::Distortion_report report = FFM::measure_distortion(textured);
+  BOOST_TEST(std::abs(report.rest_area - 22) <= 1e-9);
+  BOOST_TEST(std::abs(report.image_area - 22 * summary.scale * summary.scale) <= 1e-6);
+}
+
 BOOST_AUTO_TEST_CASE(limits)
 {
   // When time is up, or the observer says so, the atlas is as valid as any.
@@ -491,6 +525,103 @@ BOOST_AUTO_TEST_CASE(limits)
   BOOST_TEST(calls == 2);
   BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::stopped_by_observer));
 }
+
+BOOST_AUTO_TEST_CASE(observed_charts_are_flattened_at_the_same_time)
+{
+  Soup soup = ball_soup();
+  for(int i = 0; i < 9; ++i)
+    soup = together(ball_soup(), soup);
+  Atlas_surface plain(soup), observed(soup);
+  plain.unwrap();
+  FFM::Unwrap_options options;
+  std::vector<FFM::Unwrap_progress> told;
+  const std::thread::id caller = std::this_thread::get_id();
+  bool is_told_by_others = false;
+  int pauses = 0;
+  options.observer = [&](const FFM::Unwrap_progress& progress) {
+    is_told_by_others = is_told_by_others || std::this_thread::get_id() != caller;
+    told.push_back(progress);
+    // Charts that are flattened elsewhere go on meanwhile.
+    if(progress.phase == FFM::Unwrap_phase::flatten && ++pauses < 5)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return true;
+  };
+  const FFM::Unwrap_summary summary = observed.unwrap(options);
+  check_atlas(observed, summary);
+  for(const Halfedge h : plain.mesh.halfedges())
+    BOOST_REQUIRE(plain.uv[h] == observed.uv[h]);
+  BOOST_TEST(!is_told_by_others);
+  int most_at_once = 0;
+  for(std::size_t i = 0; i < told.size(); ++i) {
+    BOOST_TEST(told[i].charts_done <= told[i].charts);
+    BOOST_TEST(told[i].faces_done <= told[i].faces);
+    if(i == 0)
+      continue;
+    BOOST_TEST(told[i].phase >= told[i - 1].phase);
+    BOOST_TEST(told[i].faces_done >= told[i - 1].faces_done);
+    most_at_once = (std::max)(most_at_once, told[i].charts_done - told[i - 1].charts_done);
+  }
+  BOOST_REQUIRE(!told.empty());
+  BOOST_TEST(FFM::phase_name(told.front().phase) == std::string("cut"));
+  BOOST_TEST(FFM::phase_name(told.back().phase) == std::string("pack"));
+  BOOST_TEST(told.back().charts_done == static_cast<int>(summary.charts.size()));
+  BOOST_TEST(told.back().faces_done == told.back().faces);
+#ifdef CGAL_LINKED_WITH_TBB
+  if(tbb::this_task_arena::max_concurrency() > 1)
+    BOOST_TEST(most_at_once > 1);
+#endif
+
+  // What an observer throws ends the charts that are at work.
+  struct Thrown
+  {};
+  options.observer = [](const FFM::Unwrap_progress& progress) {
+    if(progress.phase == FFM::Unwrap_phase::flatten)
+      throw Thrown();
+    return true;
+  };
+  Atlas_surface thrown(soup);
+  BOOST_CHECK_THROW(thrown.unwrap(options), Thrown);
+  BOOST_TEST(thrown.is_untouched());
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+BOOST_AUTO_TEST_CASE(watched_calls)
+{
+  using Tag = CGAL::Parallel_tag;
+  using FFM::internal::for_each_index_watched;
+  const std::thread::id caller = std::this_thread::get_id();
+  const bool is_alone = tbb::this_task_arena::max_concurrency() < 2;
+  std::atomic<int> calls{0}, calls_by_caller{0};
+  int watches = 0;
+  const auto call = [&](std::size_t) {
+    ++calls;
+    if(std::this_thread::get_id() == caller)
+      ++calls_by_caller;
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  };
+  for_each_index_watched<Tag>(1, call, [&] { ++watches; });
+  BOOST_TEST(calls == 1);
+  BOOST_TEST(calls_by_caller == 1);
+  BOOST_TEST(watches == 0);
+  for_each_index_watched<Tag>(8, call, [&] {
+    ++watches;
+    BOOST_TEST((std::this_thread::get_id() == caller));
+  });
+  BOOST_TEST(calls == 9);
+  BOOST_TEST((is_alone || (calls_by_caller == 1 && watches > 0)));
+  const auto fail = [](std::size_t i) {
+    if(i == 3)
+      throw std::runtime_error("3");
+  };
+  BOOST_CHECK_THROW(for_each_index_watched<Tag>(8, fail, [] {}), std::runtime_error);
+  // All calls have ended when the exception of the watch comes out.
+  calls = 0;
+  if(!is_alone) {
+    BOOST_CHECK_THROW(for_each_index_watched<Tag>(8, call, [] { throw std::runtime_error("watch"); }), std::runtime_error);
+    BOOST_TEST(calls == 8);
+  }
+}
+#endif
 
 BOOST_AUTO_TEST_CASE(refused)
 {

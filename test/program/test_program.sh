@@ -288,6 +288,25 @@ for preconditioner in default laplacian killing slim cm projected-newton; do
   check "$preconditioner finds the same energy" close "$(value p.json energy)" "$energy" 1e-6
   expect 0 measure p.obj
 done
+# Other programs are told in lines of JSON how far it is.
+# progress_of FILE: the phases in their order; fails if there is a line that is none, or the share decreases.
+progress_of()
+{
+  awk '!/^[{]"phase":"[a-z_]+","share":[0-9.e+-]+,.*[}]$/ { exit 1 }
+    { split($0, words, /[":,]+/); share = words[5]; if(share < last || share > 1) exit 1; last = share
+      if(words[3] != phase) { phase = words[3]; phases = phases phase " " } } END { printf "%s", phases }' "$1"
+}
+expect 0 parameterize sheet.off -o told.obj --progress json --quiet
+check "progress of parameterize" test "$(progress_of err.txt)" = "minimize end "
+check "iterations and energies are told" grep -q '"iteration":0,"energy":[0-9][.0-9]*,"flips":0,' err.txt
+check "the end is told" grep -q '^{"phase":"end","share":1,"status":"success","message":"..*"}$' err.txt
+check "nothing but that is printed" test ! -s out.txt
+expect 0 unwrap sheet.off -o told.obj --progress json
+check "progress of unwrap" test "$(progress_of err.txt)" = "cut flatten pack end "
+check "charts and faces are told" grep -q '"charts_done":[1-9][0-9]*,"charts":[1-9][0-9]*,"faces_done":240,"faces":240,' err.txt
+expect 17 unwrap no_such_file.off -o told.obj --progress json
+check "failures are told" grep -q '^{"phase":"end","share":1,"status":"file_error","message":"..*"}$' err.txt
+expect 2 parameterize sheet.off --progress xml
 for preconditioner in default killing slim cm projected-newton newton; do
   expect 0 parameterize sheet.off --json p.json --preconditioner $preconditioner --acceleration inexact-newton --tolerance 1e-8
   check "$preconditioner, inexact-newton: converges" test "$(value p.json converged)" = true

@@ -16,6 +16,7 @@ import sys
 import flip_free_maps as ffm
 import meshes
 import numpy as np
+import pytest
 
 FOLDER = os.path.join(os.path.dirname(__file__), "..", "..", "examples", "python")
 
@@ -41,9 +42,21 @@ def test_texture_mesh(tmp_path):
 
     points, uv, faces = array(0, "<f4", 3), array(1, "<f4", 2), array(2, "<u4", 3)
     assert len(points) == len(uv) == scene["accessors"][0]["count"] and faces.max() < len(points)
-    # With v downwards triangles are clockwise.
+    # They are seen from outside, where the volume that they enclose is positive. With v downwards they are clockwise in the texture.
+    a, b, c = (points[faces[:, k]] for k in range(3))
+    assert (np.cross(a, b) * c).sum() > 0
     assert ffm.is_bijective(faces[:, ::-1], uv)
     assert blob[scene["bufferViews"][3]["byteOffset"]:][:8] == b"\x89PNG\r\n\x1a\n"
+
+
+def test_compare_with_xatlas(tmp_path):
+    points, faces = meshes.sphere()
+    ffm.export(tmp_path / "ball.obj", points, faces)
+    lines = [line.split() for line in run("compare_with_xatlas.py", tmp_path / "ball.obj").splitlines()]
+    atlas = ffm.unwrap(points.astype(np.float32), faces, resolution=1024, padding=2, dtype=np.float32)
+    row = next(line for line in lines if "flip_free_maps" in line)
+    assert row[1:7] == [str(len(faces)), "flip_free_maps", str(len(atlas.summary.charts)), "0", "no", "0"]
+    assert float(row[7]) == pytest.approx(100 * atlas.summary.occupancy, abs=0.1)
 
 
 def test_flatten_scan(tmp_path):

@@ -76,6 +76,14 @@ def test_progress():
     assert np.array_equal(atlas.uv, ffm.unwrap(points, faces).uv)
     assert reports[-1].charts_done == len(atlas.summary.charts) and reports[-1].faces_done == reports[-1].faces == len(faces)
     assert all(a.faces_done <= b.faces_done and a.seconds <= b.seconds for a, b in zip(reports, reports[1:]))
+    phases = [report.phase for report in reports]
+    assert phases[0] == "cut" and phases[-1] == "pack" and phases == sorted(phases, key=["cut", "flatten", "pack"].index)
+    # Also while several charts are flattened at the same time.
+    parts = [meshes.torus(), meshes.sphere()]
+    both = np.concatenate([parts[0][0], parts[1][0] + 9]), np.concatenate([parts[0][1], parts[1][1] + len(parts[0][0])])
+    threads = set()
+    ffm.unwrap(*both, progress=lambda report: threads.add(threading.get_ident()))
+    assert threads == {threading.get_ident()}
 
     reports = []
     uv = points[:, :2].copy()

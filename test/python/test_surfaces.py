@@ -201,6 +201,11 @@ def test_constraints():
     assert error.value.summary.flips == len(faces)
     with pytest.raises(ValueError):
         ffm.parameterize(points, faces, soft=([8, 9], pulled[:1], 1))
+    # Numbers of vertices are the caller's, also where points of no face come before.
+    more = np.concatenate([points[:5] + 9, points])
+    for places, weights in ((pulled * [[1], [np.nan]], 1), (pulled, [1, np.inf]), (pulled, [1, -1])):
+        with pytest.raises(ffm.InvalidOption, match="number 1, of vertex 77,"):
+            ffm.parameterize(more, faces + 5, soft=([13, 77], places, weights))
 
 
 def test_limits_leave_a_valid_map():

@@ -148,11 +148,10 @@ private:
     }
     if(m_limits.time_limit > 0)
       options.max_seconds = m_limits.time_limit;
-    const bool is_quiet = !shows_progress(m_limits);
-    if(!is_quiet)
-      options.observer = [](const FFM::Unwrap_progress& progress) {
-        std::fprintf(stderr, "\rchart %d of %d  %.0f %% of the faces  %.1f s   ", progress.charts_done + 1, progress.charts,
-                     100. * progress.faces_done / progress.faces, progress.seconds);
+    Progress progress(m_limits);
+    if(progress.is_shown())
+      options.observer = [&progress](const FFM::Unwrap_progress& report) {
+        progress(report);
         return true;
       };
     FFM::Flip_free_map_traits<> traits;
@@ -161,8 +160,7 @@ private:
     summary = FFM::unwrap(surface.points, surface.polygons, images,
                           FFM::parameters::unwrap_options(
                             options, FFM::parameters::map_traits(traits, CGAL::parameters::edge_is_constrained_map(Edge_set(seams)))));
-    if(!is_quiet)
-      std::fputc('\n', stderr);
+    progress.finish();
     if(!summary.is_valid())
       return;
     draw(summary, surface, images);

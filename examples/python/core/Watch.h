@@ -49,6 +49,7 @@ inline py::dict dictionary(const FFM::Splitting_report& report)
 inline py::dict dictionary(const FFM::Unwrap_progress& report)
 {
   py::dict result;
+  result["phase"] = FFM::phase_name(report.phase);
   result["charts_done"] = report.charts_done;
   result["charts"] = report.charts;
   result["faces_done"] = report.faces_done;

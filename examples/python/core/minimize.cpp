@@ -28,6 +28,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,14 +81,26 @@ public:
       return true;
     } catch(py::error_already_set& error) {
       m_watch.keep(error);
-    } catch(const std::exception& error) {
-      PyErr_SetString(PyExc_ValueError, error.what());
+    } catch(const py::cast_error&) {
+      keep(PyExc_TypeError, "a function of Python has returned something of the wrong type");
+    } catch(const py::builtin_exception& error) {
+      error.set_error();
       m_watch.keep(py::error_already_set());
+    } catch(const std::bad_alloc&) {
+      keep(PyExc_MemoryError, "memory was exhausted");
+    } catch(const std::exception& error) {
+      keep(PyExc_RuntimeError, error.what());
     }
     return false;
   }
 
 private:
+  void keep(PyObject* type, const char* message) const
+  {
+    PyErr_SetString(type, message);
+    m_watch.keep(py::error_already_set());
+  }
+
   py::object m_function;
   Watch& m_watch;
 };
@@ -396,6 +409,12 @@ py::tuple minimize_in(const Rows<double, D>& start, const Rows<std::int64_t, D +
     minimizer.minimize(x, summary);
     traits.name_choices(summary);
     summary.start = "given";
+    // What is infinite or no number may be a function; elements that are flipped are counted.
+    if(summary.status == FFM::Status::start_not_flip_free && summary.flips == 0 && (has_function || has_term)) {
+      summary.status = FFM::Status::non_finite_input;
+      summary.message = std::string(has_term ? has_function ? "the energy or the term" : "the term" : "the energy") +
+                        ", a function of Python, is not a finite number at the start";
+    }
     if(!summary.is_valid())
       return;
     std::vector<char> is_fixed(start.size(), 0);

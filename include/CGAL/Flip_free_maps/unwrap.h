@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/core/unwrap_polygons.h>
 #include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
+#include <CGAL/Flip_free_maps/domains/internal/Polygon_triangulator.h>
 #include <CGAL/Flip_free_maps/domains/internal/Surface_view.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
@@ -374,43 +375,56 @@ Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const Unwrap_
 }
 
 /// \ingroup PkgFlipFreeMapsIO
-/// Gathers a triangle mesh and a map of its corners, as `unwrap()` writes it, for files:
+/// Gathers a polygon mesh and a map of its corners, as `unwrap()` writes it, for files:
 /// `write_textured_OBJ(path, textured_atlas(mesh, uv_map))`. Corners with the same vertex and the same image share their texture
-/// coordinates. Points are numbered in the order of the vertices of `mesh`, isolated ones included,
-/// and triangles in the order of its faces.
+/// coordinates. Points are numbered in the order of the vertices of `mesh`, isolated ones included, and triangles in the order of
+/// its faces. Polygons become triangles that are counterclockwise in the plane where the polygons are.
 ///
-/// \tparam TriangleMesh must be a model of `FaceListGraph` and `VertexListGraph`, of triangles,
-///   whose vertex descriptors are `Hashable`
+/// \tparam FaceGraph must be a model of `FaceListGraph` and `VertexListGraph`, whose vertex descriptors are `Hashable`
 /// \tparam HalfedgeUVMap must be a model of `ReadablePropertyMap` with halfedge descriptors as keys and planar points as values
 ///
-/// \param mesh a triangle mesh
+/// \param mesh a mesh of polygons
 /// \param uv_map its map
 /// \param np optional named parameters: `vertex_point_map`, as in `unwrap()`
-template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Textured_mesh textured_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const NamedParameters& np = CGAL::parameters::default_values())
+template <typename FaceGraph, typename HalfedgeUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Textured_mesh textured_atlas(const FaceGraph& mesh, HalfedgeUVMap uv_map, const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vertex_points =
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
   Textured_mesh result;
-  std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> numbers;
+  std::unordered_map<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int> numbers;
   for(const auto v : vertices(mesh)) {
     numbers.emplace(v, static_cast<int>(result.points.size()));
     const auto p = get(vertex_points, v);
     result.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   }
   internal::Corner_numbers<int> images;
+  internal::Polygon_triangulator triangulator;
+  const std::vector<std::array<int, 3>> single{{{0, 1, 2}}};
+  std::vector<int> polygon, texture_polygon;
+  std::vector<internal::Vector<3>> places;
   for(const auto face : faces(mesh)) {
-    std::array<int, 3> triangle, texture_triangle;
-    auto h = halfedge(face, mesh);
-    for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
+    polygon.clear();
+    texture_polygon.clear();
+    places.clear();
+    const auto first = halfedge(face, mesh);
+    auto h = first;
+    do {
       const auto p = get(uv_map, h);
-      triangle[k] = numbers.at(target(h, mesh));
-      texture_triangle[k] = images(triangle[k], CGAL::to_double(p[0]), CGAL::to_double(p[1]));
+      places.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), 0);
+      polygon.push_back(numbers.at(target(h, mesh)));
+      texture_polygon.push_back(images(polygon.back(), places.back().x(), places.back().y()));
+      h = next(h, mesh);
+    } while(h != first);
+    Positions<3> corners(3, places.size());
+    for(std::size_t k = 0; k < places.size(); ++k)
+      corners.col(k) = places[k];
+    for(const auto& t : places.size() == 3 ? single : triangulator.triangulate(corners, [](int, int) { return false; })) {
+      result.triangles.push_back({polygon[t[0]], polygon[t[1]], polygon[t[2]]});
+      result.texture_triangles.push_back({texture_polygon[t[0]], texture_polygon[t[1]], texture_polygon[t[2]]});
     }
-    result.triangles.push_back(triangle);
-    result.texture_triangles.push_back(texture_triangle);
   }
   const Positions<2> x = images.positions();
   for(Eigen::Index i = 0; i < x.cols(); ++i)

@@ -56,6 +56,7 @@ class Progress:
     flips: int
     primal_error: float
     dual_error: float
+    phase: Literal["cut", "flatten", "pack"]
     charts_done: int
     charts: int
     faces_done: int
@@ -68,12 +69,15 @@ class Summary:
     def to_dict(self) -> dict[str, Any]: ...
     def __getattr__(self, name: str) -> Any: ...
 
-class _MapFields(NamedTuple):
+class _LayoutFields(NamedTuple):
     uv: _Floats
     summary: Summary
 
-class Map(_MapFields):
+class _Layout(_LayoutFields):
     faces: _Indices | None
+
+class Map(_Layout): ...
+class Packing(_Layout): ...
 
 class Unwrapping(NamedTuple):
     vertices: _Indices
@@ -83,13 +87,6 @@ class Unwrapping(NamedTuple):
     summary: Summary
     @property
     def corners(self) -> NDArray[Any]: ...
-
-class _PackingFields(NamedTuple):
-    uv: _Floats
-    summary: Summary
-
-class Packing(_PackingFields):
-    faces: _Indices | None
 
 class Cut(NamedTuple):
     seams: _Indices

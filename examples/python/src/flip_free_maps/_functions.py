@@ -81,8 +81,9 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
     dtype : numpy.float64 or numpy.float32
         The type of `uv`, in which the atlas is certified.
     progress : function
-        Called now and then with an object that has the attributes `charts_done`, `charts`, `faces_done`, `faces` and
-        `seconds`. When it returns False, the rest is done as if the time were up; what it raises is raised here.
+        Called now and then, by the thread that called `unwrap`, with an object that has the attributes `phase`, which is "cut",
+        "flatten" or "pack", `charts_done`, `charts`, `faces_done`, `faces` and `seconds`. When it returns False, the rest is
+        done as if the time were up; what it raises is raised here.
 
     Returns
     -------
@@ -202,6 +203,11 @@ def _soft_positions(soft, number_of_points):
     if len(places) != len(vertices) or weights.shape not in ((), (len(vertices),)):
         raise ValueError("soft must have as many places and weights as vertices")
     column = np.broadcast_to(weights, (len(vertices),)).reshape(-1, 1)
+    wrong = ~(np.isfinite(places).all(axis=1) & np.isfinite(column[:, 0]) & (column[:, 0] >= 0))
+    if wrong.any():
+        number = int(np.flatnonzero(wrong)[0])
+        raise _checks.InvalidOption(f"soft position number {number}, of vertex {vertices[number, 0]}, is not finite, or its weight is "
+                                    "negative or not finite")
     return {"soft_vertices": vertices, "soft_places": np.concatenate([places, column], axis=1)}
 
 
@@ -590,8 +596,8 @@ def minimize(points, elements, rest, *, energy="symmetric-dirichlet", term=None,
         What is minimised: a name, as for `parameterize`, or a function `energy(s, derivatives)` of the signed singular values
         s (f, d), descending, of all elements. It returns the values (f,), and if `derivatives` is true a tuple of these, the
         first derivatives (f, d) and the second ones (f, d, d). Its mean, weighted by the measures of the elements at rest, is
-        minimised, by Newton's method with Hessians that are projected to the positive semidefinite ones. It must be symmetric
-        in its arguments; elements that are not positive count as infinite.
+        minimised, always by Newton's method with Hessians that are projected to the positive semidefinite ones, the method
+        "projected-newton". It must be symmetric in its arguments; elements that are not positive count as infinite.
     term : function
         Added to the mean energy: `term(x, derivatives)` of all points x (n, d) returns a number, and if `derivatives` is true
         a tuple (value, gradient (n, d), Hessian), where the Hessian is None or a tuple of arrays (i, j, blocks): a positive

@@ -118,14 +118,14 @@ def picture(uv, faces, size=400, most_faces=20000):
     )
 
 
-class _MapFields(NamedTuple):
+class _LayoutFields(NamedTuple):
     uv: np.ndarray
-    """(n, 2) float64: the image of each point, in the units of length of the points; (0, 0) for points that are not in it."""
+    """(n, 2) float64: the image of each vertex."""
     summary: Summary
 
 
-class Map(_MapFields):
-    """A map of the vertices of a surface into the plane."""
+class _Layout(_LayoutFields):
+    """Images of vertices, which are shown with the faces that have them."""
 
     faces = None
 
@@ -137,6 +137,15 @@ class Map(_MapFields):
 
     def _repr_html_(self):
         return self.summary._repr_html_() + ("" if self.faces is None else picture(self.uv, self.faces))
+
+
+class Map(_Layout):
+    """A map of the vertices of a surface into the plane, in the units of length of the points; points that are not in it have the
+    image (0, 0)."""
+
+
+class Packing(_Layout):
+    """Charts in the unit square."""
 
 
 class Unwrapping(NamedTuple):
@@ -162,27 +171,6 @@ class Unwrapping(NamedTuple):
 
     def _repr_html_(self):
         return self.summary._repr_html_() + picture(self.uv, self.faces)
-
-
-class _PackingFields(NamedTuple):
-    uv: np.ndarray
-    """(k, 2) float64: the images of the vertices."""
-    summary: Summary
-
-
-class Packing(_PackingFields):
-    """Charts in the unit square."""
-
-    faces = None
-
-    @classmethod
-    def of(cls, uv, faces, summary):
-        result = cls(uv, summary)
-        result.faces = faces
-        return result
-
-    def _repr_html_(self):
-        return self.summary._repr_html_() + ("" if self.faces is None else picture(self.uv, self.faces))
 
 
 class Cut(NamedTuple):

@@ -22,15 +22,31 @@ namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsRef
-/// What an observer of `unwrap()` is told while seams are planned, at the beginning of each chart, in each iteration on it, and
-/// while charts are packed.
+/// What `unwrap()` is at. Seams are planned again for charts that are not good enough, within the second phase.
+enum class Unwrap_phase
+{
+  cut,     ///< planning seams
+  flatten, ///< flattening charts
+  pack     ///< packing them
+};
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The name of a phase as it appears in reports, e.g. `"flatten"`.
+inline const char* phase_name(Unwrap_phase phase)
+{
+  return phase == Unwrap_phase::cut ? "cut" : phase == Unwrap_phase::flatten ? "flatten" : "pack";
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// What an observer of `unwrap()` is told while seams are planned, while charts are flattened, and while they are packed.
 struct Unwrap_progress
 {
-  int charts_done = 0;         ///< charts that are finished
-  int charts = 0;              ///< charts that are known of, those to be flattened included; it grows when charts are split
-  std::int64_t faces_done = 0; ///< faces of the charts that are finished
-  std::int64_t faces = 0;      ///< faces of the mesh
-  double seconds = 0;          ///< wall-clock seconds since the beginning
+  Unwrap_phase phase = Unwrap_phase::cut; ///< what is being done
+  int charts_done = 0;                    ///< charts that are finished
+  int charts = 0;                         ///< charts that are known of, those to be flattened included; it grows when charts are split
+  std::int64_t faces_done = 0;            ///< faces of the charts that are finished
+  std::int64_t faces = 0;                 ///< faces of the mesh
+  double seconds = 0;                     ///< wall-clock seconds since the beginning
 };
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -71,8 +87,9 @@ struct Unwrap_options
   /// After this many seconds of wall-clock time no seam and no chart is improved any more. The result is as valid as any other,
   /// but more distorted; if its mean energy were 2 or more, or there are no charts within a second, the status is `interrupted`.
   double max_seconds = std::numeric_limits<double>::infinity();
-  /// Called while seams are planned, at the beginning of each chart, in each iteration, and while charts are packed. When it
-  /// returns `false`, the rest is done as if the time were up. See `Deadline` for what is asked more often.
+  /// Called by the thread that called `unwrap()`, and by no other: while seams are planned, before charts are flattened, while charts
+  /// are packed, and in each iteration on a chart, or, while several charts are flattened at the same time, every few hundredths of a
+  /// second. When it returns `false`, the rest is done as if the time were up. See `Deadline` for what is asked more often.
   std::function<bool(const Unwrap_progress&)> observer;
 
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.

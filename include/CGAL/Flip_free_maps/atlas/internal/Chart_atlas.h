@@ -17,6 +17,7 @@
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/for_each_index.h>
+#include <CGAL/Flip_free_maps/internal/for_each_index_watched.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
@@ -36,6 +37,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -102,6 +104,7 @@ public:
       return fail(m_summary.cut.status, "the surface was not cut open: " + m_summary.cut.message);
     {
       const Phase_timer timer(m_summary.flatten_seconds);
+      m_phase = Unwrap_phase::flatten;
       enqueue_parts(others);
       while(!m_queue.empty())
         if(!process_some())
@@ -109,6 +112,7 @@ public:
     }
     {
       const Phase_timer timer(m_summary.pack_seconds);
+      m_phase = Unwrap_phase::pack;
       split_for_packing([this] { return must_stop(); });
       sort_charts();
       if(!m_options.pack)
@@ -258,18 +262,33 @@ private:
     return m_is_cut_short;
   }
 
+  // Asks the observer, on the caller's thread only. False once it has asked to stop.
   bool report_progress()
   {
-    if(!m_options.observer || m_is_stopped)
+    if(!m_options.observer || m_is_stopped || std::this_thread::get_id() != m_thread)
       return !m_is_stopped;
     Unwrap_progress progress;
-    progress.charts_done = static_cast<int>(m_charts.size());
-    progress.charts = progress.charts_done + (m_faces_done < m_faces ? 1 : 0) + static_cast<int>(m_queue.size());
-    progress.faces_done = m_faces_done;
+    progress.phase = m_phase;
+    progress.faces_done = m_faces_done + m_faces_ahead;
     progress.faces = m_faces;
+    const int kept = static_cast<int>(m_charts.size());
+    progress.charts_done = kept + m_charts_ahead;
+    progress.charts = kept + (std::max)(m_charts_at_work, m_faces_done < m_faces ? 1 : 0) + static_cast<int>(m_queue.size());
     progress.seconds = wall_seconds() - m_begin;
-    m_is_stopped = !m_options.observer(progress);
+    if(!m_options.observer(progress))
+      m_is_stopped = true;
     return !m_is_stopped;
+  }
+
+  // Asks the observer while others are at work, who end soon when it throws.
+  void watch()
+  {
+    try {
+      report_progress();
+    } catch(...) {
+      m_is_stopped = true;
+      throw;
+    }
   }
 
   // A piece that has no map when the time is up gets one that is good enough, or none if that takes long.
@@ -299,7 +318,8 @@ private:
       traits.start.multilevel_size = -1;
     traits.start.unfold = traits.start.unfold && max_iterations != 0;
     traits.options.observer = [this, given = m_traits.options.observer](const Iteration_report& report) {
-      m_is_stopped = m_is_stopped || (given && !given(report));
+      if(given && !m_is_stopped && !given(report))
+        m_is_stopped = true;
       return report_progress();
     };
     if(m_is_stopped)
@@ -324,6 +344,7 @@ private:
     Positions<2> x;
     Chart_summary chart;
     bool is_mapped = false, is_inherited = false, is_overlapping = false;
+    bool is_ahead = false;   // a chart, as it seems, that waits for its turn to be decided
     std::int32_t worst = -1; // the triangle that is distorted most
     std::pair<std::int32_t, std::int32_t> overlap;
   };
@@ -332,24 +353,35 @@ private:
   // one by one, so that results do not depend on threads. False when none of that is possible.
   bool process_some()
   {
-    // Observers see pieces one by one. The number bounds the memory for open pieces.
-    const bool is_observed = m_options.observer || m_traits.options.observer;
-    const std::size_t most = is_observed || !std::is_convertible<typename Traits::Concurrency_tag, CGAL::Parallel_tag>::value ? 1 : 64;
+    // The method's observer sees pieces one by one. The number bounds the memory for open pieces.
+    const std::size_t most =
+      m_traits.options.observer || !std::is_convertible<typename Traits::Concurrency_tag, CGAL::Parallel_tag>::value ? 1 : 64;
     std::vector<Piece> pieces;
     while(!m_queue.empty() && pieces.size() < most) {
       pieces.push_back(std::move(m_queue.front()));
       m_queue.pop_front();
     }
+    m_charts_at_work = static_cast<int>(pieces.size());
     report_progress();
     std::vector<Flat_piece> flat(pieces.size());
     const auto flatten_one = [&, binding = Deadline::state()](std::size_t i) {
       const Bound_work work(binding);
       flatten(pieces[i], flat[i]);
+      count_ahead(pieces[i], flat[i]);
     };
-    for_each_index<typename Traits::Concurrency_tag>(pieces.size(), flatten_one);
-    for(std::size_t i = 0; i < pieces.size(); ++i)
+    if(m_options.observer)
+      for_each_index_watched<typename Traits::Concurrency_tag>(pieces.size(), flatten_one, [this] { watch(); });
+    else
+      for_each_index<typename Traits::Concurrency_tag>(pieces.size(), flatten_one);
+    for(std::size_t i = 0; i < pieces.size(); ++i) {
+      --m_charts_at_work;
+      if(flat[i].is_ahead) {
+        --m_charts_ahead;
+        m_faces_ahead -= flat[i].chart.faces;
+      }
       if(!decide(pieces[i], flat[i]))
         return false;
+    }
     return true;
   }
 
@@ -396,6 +428,16 @@ private:
       flat.worst = measure(piece, open, flat.x, chart);
     }
     chart.seconds = wall_seconds() - begin;
+  }
+
+  // For the observer a piece is a chart as soon as it is good enough.
+  void count_ahead(const Piece& piece, Flat_piece& flat)
+  {
+    flat.is_ahead = flat.is_mapped && !flat.is_overlapping && (!is_too_distorted(flat.chart) || !can_be_split(piece));
+    if(!flat.is_ahead)
+      return;
+    ++m_charts_ahead;
+    m_faces_ahead += flat.chart.faces;
   }
 
   bool decide(Piece& piece, Flat_piece& flat)
@@ -583,6 +625,11 @@ private:
 
   Traits m_traits;
   std::int64_t m_faces = 0; // polygons of the user's
+  Unwrap_phase m_phase = Unwrap_phase::cut;
+  int m_charts_at_work = 0; // pieces that are neither charts nor in the queue
+  std::atomic<int> m_charts_ahead{0};
+  std::atomic<std::int64_t> m_faces_ahead{0};
+  const std::thread::id m_thread = std::this_thread::get_id();
   bool m_is_cut_short = false;
   std::atomic<double> m_late_since{0};
 };

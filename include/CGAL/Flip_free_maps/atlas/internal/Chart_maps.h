@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -91,7 +92,7 @@ protected:
   std::vector<double> m_areas;   // of the charts on the surface, in the units of m_surface
   double m_area = 0;             // of the surface, likewise
   std::int64_t m_faces_done = 0; // polygons of the user's
-  bool m_is_stopped = false;
+  std::atomic<bool> m_is_stopped{false};
 
 private:
   // Replaces a chart by two, the second at the end, and tells whether that went well and how long the seam is.
