@@ -414,6 +414,21 @@ check "repaired without flips" test "$(value repaired.json flips)" = 0
 check "repaired to the same energy" close "$(value repaired.json energy)" "$energy" 1e-5
 expect 0 measure repaired.obj
 expect 17 repair missing.obj -o repaired.obj
+# Pinned vertices stay where they are. image_of FILE VERTEX: the vertex counts from 1.
+image_of()
+{
+  awk -v v="$2" '
+    $1 == "vt" { t[++n] = $2 " " $3 }
+    $1 == "f" { for(k = 2; k <= NF; ++k) { split($k, i, "/"); if(i[1] == v) found = i[2] } }
+    END { print t[found] }' "$1"
+}
+awk '$1 == "vt" { n++; if (n == 20) { print "vt", $2 - 1, $3 - 1; next } } { print }' off.obj > pulled.obj
+printf '0\n5\n' > pinned.txt
+expect 0 repair pulled.obj --pinned pinned.txt -o pinned.obj
+expect 0 measure pinned.obj
+for vertex in 1 6; do
+  check "a pinned vertex stays" test "$(image_of pinned.obj $vertex)" = "$(image_of pulled.obj $vertex)"
+done
 
 # The splitting scheme: to the same energies as the default method, from a Tutte embedding and from a map with flips.
 expect 0 parameterize sheet.off --method splitting -o split.obj --json split.json --tolerance 1e-7 --trace split.csv
@@ -1004,7 +1019,7 @@ expect 11 deform clockwise.off --handles index_2.txt -o bad.off
 expect 12 deform triangle.off --handles turned_over.txt -o bad.off --json bad.json
 check "the status of handles out of reach" test "$(value bad.json status)" = unreachable_constraints
 expect 6 deform components.off --handles index_2.txt -o bad.off
-expect 4 deform quads.off --handles index_2.txt -o bad.off
+expect 4 deform quads.off --handles index_2.txt --strict -o bad.off
 expect 17 deform broken.mesh --handles index_3.txt -o bad.off
 check "errors give no shape" test ! -e bad.off
 
@@ -1013,7 +1028,7 @@ check "errors give no shape" test ! -e bad.off
 
 while read -r code status file; do
   rm -f bad.json bad.obj
-  expect "$code" parameterize "$file" -o bad.obj --json bad.json
+  expect "$code" parameterize "$file" --strict -o bad.obj --json bad.json
   check "$file has the status $status" test "$(value bad.json status)" = "$status"
   check "$file has a message" grep -q '"message": "..........' bad.json
   check "$file gives no map" test ! -e bad.obj
@@ -1043,8 +1058,20 @@ expect 0 parameterize frame.off -o frame.obj --json frame.json
 expect 0 measure frame.obj
 expect 0 parameterize frame.off --bijective --json frame.json
 check "a map that was asked not to overlap itself" grep -q '"bijective": true' frame.json
-expect 9 parameterize zero_area.off
+expect 9 parameterize zero_area.off --strict
 check "the face is named by its number in the file" grep -q 'face number 1' err.txt
+# Polygons, faces without area, and triangles that have no points in common.
+printf '0 5 5\n' > moved_corner.txt
+for file in quads zero_area unwelded; do
+  expect 0 parameterize $file.off -o dirty.obj --json dirty.json
+  expect 0 measure dirty.obj
+  check "$file: an isometry" close "$(value dirty.json energy)" 1 1e-5
+  expect 0 deform $file.off --handles moved_corner.txt -o dirty.off --json deformed.json
+  check "$file: the handle arrives" arrive dirty.off moved_corner.txt
+  if [ $file = zero_area ]; then flat=1; else flat=0; fi
+  check "$file: faces without area are counted" test "$(value dirty.json faces_without_area)" = $flat
+  check "$file: those of a shape as well" test "$(value deformed.json faces_without_area)" = $flat
+done
 
 # A long thin tube may be beyond every start; if not, its map is as good as any.
 rm -f tube.obj
@@ -1095,7 +1122,7 @@ fi
 if [ -n "$data" ] && [ -e "$data/bad_annulus.off" ]; then
   while read -r code file; do
     rm -f bad.obj
-    expect "$code" parameterize "$data/$file" -o bad.obj
+    expect "$code" parameterize "$data/$file" --strict -o bad.obj
     if [ "$code" = 0 ]; then
       expect 0 measure bad.obj
     else
@@ -1138,6 +1165,12 @@ if [ -n "$data" ] && [ -e "$data/bad_annulus.off" ]; then
 17 bad_wrong_count.off
 9 bad_zero_area_triangle.off
 END
+  # Those that need not be refused.
+  for file in bad_collinear_triangle bad_duplicated_vertices bad_mixed_polygons bad_quads bad_repeated_face bad_zero_area_triangle; do
+    rm -f bad.obj
+    expect 0 parameterize "$data/$file.off" -o bad.obj
+    expect 0 measure bad.obj
+  done
 else
   echo "skipped: no meshes in '$data'"
 fi

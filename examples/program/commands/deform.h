@@ -27,6 +27,7 @@ struct Deform_arguments
   Picture_arguments pictures;
   std::string input, handles, output, start;
   double soft_weight = 0, tikhonov = 0, cell_size = 0.05;
+  bool strict = false;
 };
 
 // All files that a call writes, the mesh first.

@@ -38,12 +38,7 @@ public:
       return refuse(reason);
     FFM::Distortion_report report;
     Atlas atlas;
-    run_guarded(
-      Method_arguments(), [&] { measure(atlas, report); },
-      [&](Status status, const std::string& message) {
-        report.status = status;
-        report.message = message;
-      });
+    run_guarded(Method_arguments(), report, [&](FFM::Distortion_report& account) { measure(atlas, account); });
     const bool is_measured = report.status == Status::success;
     std::string overlap;
     const bool is_bijective = is_measured && FFM::is_bijective(atlas.mesh, &overlap);
