@@ -7,8 +7,9 @@
 
 #include "Atlas.h"
 
+#include <CGAL/Flip_free_maps/domains/internal/give_area.h>
+#include <CGAL/Flip_free_maps/domains/internal/weld_points.h>
 #include <CGAL/Flip_free_maps/internal/Disjoint_sets.h>
-#include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -81,55 +83,77 @@ private:
   CGAL::Orientation m_positive;
 };
 
-// For each point the first one at the same place: files double points for reasons of their own, and what they part is no seam as long as
-// the images agree.
-std::vector<int> first_at_same_place(const std::vector<std::array<double, 3>>& points)
+// The first point at the same place as each.
+std::vector<std::int32_t> first_at_same_place(const FFM::Positions<3>& points)
 {
-  std::vector<int> order(points.size()), first(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return points[i] < points[j]; });
-  for(std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
+  std::vector<std::int32_t> first(points.cols());
+  std::iota(first.begin(), first.end(), 0);
+  FFM::internal::weld_points(points, first);
   return first;
+}
+
+// Coordinates in a unit of their own magnitude, in which areas neither overflow nor vanish.
+FFM::Positions<3> scaled_points(const Surface& surface)
+{
+  FFM::Positions<3> points(3, surface.points.size());
+  double most = 0;
+  for(std::size_t v = 0; v < surface.points.size(); ++v)
+    for(int c = 0; c < 3; ++c) {
+      points(c, v) = surface.points[v][c];
+      most = std::isfinite(points(c, v)) ? (std::max)(most, std::abs(points(c, v))) : most;
+    }
+  const int exponent = most > 0 ? std::ilogb(most) : 0;
+  return points.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
 }
 
 } // namespace
 
-Atlas make_atlas(const Surface& surface, const Corner_images& images)
+Atlas make_atlas(const Surface& surface, const Corner_images& images, bool with_flat_triangles)
 {
   Atlas atlas;
   for(const auto& p : surface.points)
     atlas.mesh.points.push_back({p.x(), p.y(), p.z()});
-  const std::vector<int> first = first_at_same_place(atlas.mesh.points);
+  const FFM::Positions<3> points = scaled_points(surface);
+  const std::vector<std::int32_t>& first = atlas.first = first_at_same_place(points);
   FFM::internal::Corner_numbers<std::size_t> numbers;
+  std::vector<std::pair<std::size_t, std::size_t>> others;
   for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
+    const auto& polygon = surface.polygons[i];
     if(images[i].empty()) {
       ++atlas.without_images;
       continue;
     }
-    const std::size_t triangles_before = atlas.mesh.triangles.size();
+    bool is_flat = true;
+    std::vector<char> is_covered(polygon.size(), 0);
     for(const auto& corners : Ear_clipper(images[i]).triangles()) {
-      Eigen::Matrix3d points;
-      Eigen::Matrix<double, 2, 3> image;
-      std::array<int, 3> triangle, texture;
-      for(int k = 0; k < 3; ++k) {
-        const std::size_t v = surface.polygons[i][corners[k]];
-        points.col(k) = Eigen::Map<const Eigen::Vector3d>(atlas.mesh.points[v].data());
-        image.col(k) = Eigen::Map<const Eigen::Vector2d>(images[i][corners[k]].data());
-        triangle[k] = first[v];
-      }
-      // NaN says that the triangle cannot be measured.
-      if(std::isnan(FFM::internal::Distortion_measure().add(points, image)))
+      std::array<std::int32_t, 3> triangle;
+      std::array<int, 3> texture;
+      for(int k = 0; k < 3; ++k)
+        triangle[k] = first[polygon[corners[k]]];
+      const bool has_area = FFM::internal::has_area(points, triangle);
+      is_flat = is_flat && !has_area;
+      if(!has_area && !with_flat_triangles)
         continue;
       for(int k = 0; k < 3; ++k)
-        texture[k] = numbers(static_cast<std::size_t>(triangle[k]), image(0, k), image(1, k));
-      atlas.mesh.triangles.push_back(triangle);
+        texture[k] = numbers(static_cast<std::size_t>(triangle[k]), images[i][corners[k]][0], images[i][corners[k]][1]);
+      if(texture[0] == texture[1] || texture[1] == texture[2] || texture[2] == texture[0])
+        continue;
+      atlas.mesh.triangles.push_back({triangle[0], triangle[1], triangle[2]});
       atlas.mesh.texture_triangles.push_back(texture);
       atlas.polygons.push_back(i);
       atlas.corners.push_back(corners);
+      atlas.has_area.push_back(has_area);
+      for(const std::size_t c : corners)
+        is_covered[c] = 1;
     }
-    atlas.without_area += atlas.mesh.triangles.size() == triangles_before;
+    atlas.without_area += is_flat;
+    for(std::size_t c = 0; c < polygon.size(); ++c)
+      if(!is_covered[c])
+        others.emplace_back(i, c);
   }
+  for(const auto& [i, c] : others)
+    atlas.other_corners.push_back(
+      {i, c, numbers(static_cast<std::size_t>(first[surface.polygons[i][c]]), images[i][c][0], images[i][c][1])});
   const FFM::Positions<2> x = numbers.positions();
   for(Eigen::Index t = 0; t < x.cols(); ++t)
     atlas.mesh.texture.push_back({x(0, t), x(1, t)});
@@ -141,6 +165,8 @@ void copy_images(const Atlas& atlas, Corner_images& images)
   for(std::size_t i = 0; i < atlas.polygons.size(); ++i)
     for(int k = 0; k < 3; ++k)
       images[atlas.polygons[i]][atlas.corners[i][k]] = atlas.mesh.texture[atlas.mesh.texture_triangles[i][k]];
+  for(const Atlas::Corner& other : atlas.other_corners)
+    images[other.polygon][other.corner] = atlas.mesh.texture[other.texture];
 }
 
 std::vector<std::vector<std::size_t>> islands(const Atlas& atlas)

@@ -16,22 +16,35 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace program {
 
 struct Atlas
 {
-  FFM::Textured_mesh mesh;                         // the triangles that have an area in space; corners of the same place and image share it
-  std::vector<std::size_t> polygons;               // of which polygon each triangle is
-  std::vector<std::array<std::size_t, 3>> corners; // of which of its corners
+  FFM::Textured_mesh mesh;                          // corners of the same place and image share both
+  std::vector<std::int32_t> first;                  // of the points at the same place, by point
+  std::vector<std::size_t> polygons;                // of which polygon each triangle is
+  std::vector<std::array<std::size_t, 3>> corners;  // of which of its corners
+  std::vector<char> has_area;                       // whether each triangle has an area in space
   std::size_t without_images = 0, without_area = 0; // polygons
+
+  // A corner of a polygon that no triangle has, and its texture coordinates.
+  struct Corner
+  {
+    std::size_t polygon, corner;
+    std::int32_t texture;
+  };
+  std::vector<Corner> other_corners;
 };
 
-// Triangulates polygons so that all of their images are positive, where that is possible. Faces without texture coordinates are left out.
-Atlas make_atlas(const Surface& surface, const Corner_images& images);
+// Triangulates polygons so that all of their images are positive, where that is possible. Faces without texture coordinates are left
+// out, and triangles without area in space, unless they are asked for; even then those whose corners are not at three places, or have
+// less than three images.
+Atlas make_atlas(const Surface& surface, const Corner_images& images, bool with_flat_triangles = false);
 
-// Enters the atlas' texture coordinates. Corners of triangles without area keep what they have.
+// Enters the atlas' texture coordinates.
 void copy_images(const Atlas& atlas, Corner_images& images);
 
 // The parts that are connected by shared texture coordinates, as numbers of triangles.

@@ -9,13 +9,14 @@
 
 #include "repair_polygons.h"
 
-#include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Flip_free_maps/domains/internal/Joined_polygons.h>
+
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
-#include <cmath>
-#include <iterator>
+#include <algorithm>
+#include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace program {
@@ -24,13 +25,15 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
+using Polygons = std::vector<std::vector<std::size_t>>;
+
 // A vertex whose faces are not one fan, or -1: walking from face to face across the vertex's edges does not reach all of them.
-long long pinched_vertex(const std::vector<std::vector<std::size_t>>& polygons)
+long long pinched_vertex(const Polygons& polygons)
 {
-  std::map<std::size_t, std::vector<std::pair<std::size_t, std::size_t>>> fans; // the edges opposite to a vertex
-  for(const auto& t : polygons)
-    for(std::size_t k = 0; k < 3; ++k)
-      fans[t[k]].emplace_back(t[(k + 1) % 3], t[(k + 2) % 3]);
+  std::map<std::size_t, std::vector<std::pair<std::size_t, std::size_t>>> fans; // the neighbours of a vertex in its faces
+  for(const auto& polygon : polygons)
+    for(std::size_t k = 0, n = polygon.size(); k < n; ++k)
+      fans[polygon[k]].emplace_back(polygon[(k + 1) % n], polygon[(k + n - 1) % n]);
   for(auto& [vertex, edges] : fans) {
     std::map<std::size_t, std::size_t> next(edges.begin(), edges.end()), previous;
     for(const auto& edge : edges)
@@ -48,12 +51,12 @@ long long pinched_vertex(const std::vector<std::vector<std::size_t>>& polygons)
   return -1;
 }
 
-std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygons)
+std::string why_not_manifold(const Polygons& polygons)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::pair<int, int>> edges; // how many faces use an edge forwards and backwards
   for(const auto& polygon : polygons)
-    for(std::size_t k = 0; k < 3; ++k) {
-      const std::size_t v = polygon[k], w = polygon[(k + 1) % 3];
+    for(std::size_t k = 0; k < polygon.size(); ++k) {
+      const std::size_t v = polygon[k], w = polygon[(k + 1) % polygon.size()];
       ++(v < w ? edges[{v, w}].first : edges[{w, v}].second);
     }
   const auto name = [](const std::pair<std::size_t, std::size_t>& edge) {
@@ -68,7 +71,48 @@ std::string why_not_manifold(const std::vector<std::vector<std::size_t>>& polygo
   }
   if(misoriented != nullptr)
     return "the faces at " + name(*misoriented) + " are oriented differently; a Moebius strip cannot be oriented";
-  return "several sheets of the surface meet at vertex number " + std::to_string(pinched_vertex(polygons));
+  const long long vertex = pinched_vertex(polygons);
+  return vertex < 0 ? "" : "several sheets of the surface meet at vertex number " + std::to_string(vertex);
+}
+
+// The polygons by their indices, as the functions for arrays join them unless they are strict. Returns the number of pieces.
+std::size_t join(const Surface& surface, bool is_strict, Polygons& joined)
+{
+  FFM::internal::Polygon_soup soup;
+  std::string message;
+  const Status status = FFM::internal::read_polygon_soup(surface.points, surface.polygons, soup, message);
+  if(status != Status::success)
+    throw Failure{status, message};
+  FFM::internal::Joined_polygons polygons(soup);
+  if(!is_strict) {
+    polygons.join();
+    polygons.remove_repeated();
+  }
+  for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
+    joined.emplace_back(soup.vertices.begin() + soup.first_corners[p], soup.vertices.begin() + soup.first_corners[p + 1]);
+  return polygons.number_of_pieces();
+}
+
+void check_points(const Surface& surface)
+{
+  for(std::size_t v = 0; v < surface.points.size(); ++v)
+    if(!is_finite(surface.points[v]))
+      throw Failure{Status::non_finite_input, "a coordinate of vertex number " + std::to_string(v) + " is NaN or infinite"};
+}
+
+void check_triangles(const Surface& surface)
+{
+  for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
+    const auto& polygon = surface.polygons[i];
+    const std::string face = "face number " + std::to_string(i);
+    if(polygon.size() != 3)
+      throw Failure{Status::not_triangular, face + " has " + std::to_string(polygon.size()) + " corners, where triangles are wanted"};
+    if(polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0])
+      throw Failure{Status::non_manifold, face + " names a vertex twice"};
+  }
+  check_points(surface);
+  if(!PMP::is_polygon_soup_a_polygon_mesh(surface.polygons))
+    throw Failure{Status::non_manifold, why_not_manifold(surface.polygons)};
 }
 
 } // namespace
@@ -89,74 +133,50 @@ void read_surface(const std::string& path, bool with_images, Surface& surface)
 
 void make_mesh(const Surface& surface, Mesh& mesh)
 {
-  for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
-    const auto& polygon = surface.polygons[i];
-    const std::string face = "face number " + std::to_string(i);
-    if(polygon.size() != 3)
-      throw Failure{Status::not_triangular, face + " has " + std::to_string(polygon.size()) + " corners, where triangles are wanted"};
-    if(polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0])
-      throw Failure{Status::non_manifold, face + " names a vertex twice"};
-  }
-  for(std::size_t v = 0; v < surface.points.size(); ++v)
-    if(!is_finite(surface.points[v]))
-      throw Failure{Status::non_finite_input, "a coordinate of vertex number " + std::to_string(v) + " is NaN or infinite"};
-  if(!PMP::is_polygon_soup_a_polygon_mesh(surface.polygons))
-    throw Failure{Status::non_manifold, why_not_manifold(surface.polygons)};
+  check_triangles(surface);
   PMP::polygon_soup_to_polygon_mesh(surface.points, surface.polygons, mesh);
 }
 
-void read_triangles(const std::string& path, Triangles& triangles)
+void read_piece(const std::string& path, bool is_strict, Surface& surface)
 {
-  read_surface(path, false, triangles);
-  make_mesh(triangles, triangles.mesh);
-  auto components = triangles.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
-  const std::size_t number = PMP::connected_components(triangles.mesh, components);
-  if(number != 1)
-    throw Failure{Status::several_components, "the mesh has " + std::to_string(number) + " components"};
+  read_surface(path, false, surface);
+  if(is_strict)
+    check_triangles(surface);
+  else
+    check_points(surface);
+  Polygons joined;
+  const std::size_t pieces = join(surface, is_strict, joined);
+  if(pieces > 1)
+    throw Failure{Status::several_components, "the mesh has " + std::to_string(pieces) + " components"};
 }
 
-namespace {
-
-// A halfedge on the longest border, null on a closed surface. Lengths may be of any magnitude: squares of tiny ones vanish.
-Mesh::Halfedge_index longest_border(const Mesh& mesh)
+bool is_closed(const Surface& surface)
 {
-  std::vector<Mesh::Halfedge_index> borders;
-  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
-  Mesh::Halfedge_index longest = Mesh::null_halfedge();
-  double greatest = -1;
-  for(const Mesh::Halfedge_index border : borders) {
-    double length = 0;
-    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(border, mesh)) {
-      const Kernel::Point_3& p = mesh.point(mesh.source(h));
-      const Kernel::Point_3& q = mesh.point(mesh.target(h));
-      length += std::hypot(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
-    }
-    if(length > greatest) {
-      longest = border;
-      greatest = length;
-    }
-  }
-  return longest;
+  std::set<std::pair<std::size_t, std::size_t>> sides;
+  for(const auto& polygon : surface.polygons)
+    for(std::size_t k = 0; k < polygon.size(); ++k)
+      sides.emplace(polygon[k], polygon[(k + 1) % polygon.size()]);
+  return std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return sides.count({side.second, side.first}) > 0; });
 }
 
-} // namespace
-
-void read_patch(const std::string& path, Patch& patch)
+void explain_failure(const Surface& surface, bool is_strict, FFM::Outcome& summary)
 {
-  read_triangles(path, patch.triangles);
-  patch.border = longest_border(patch.triangles.mesh);
-  if(patch.border == Mesh::null_halfedge())
-    throw Failure{Status::no_border, "the surface is closed; it must be cut open before it can be flattened"};
-  patch.uv = patch.triangles.mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
+  if(summary.status != Status::non_manifold)
+    return;
+  Polygons joined;
+  join(surface, is_strict, joined);
+  const std::string reason = why_not_manifold(joined);
+  if(!reason.empty())
+    summary.message = reason;
 }
 
-std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Triangles& triangles)
+std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Surface& surface)
 {
   Surface given;
   read_surface(path, true, given);
-  bool is_same = given.polygons == triangles.polygons;
-  std::vector<Kernel::Point_2> uv(triangles.points.size(), Kernel::Point_2(0, 0));
-  std::vector<char> is_known(triangles.points.size(), 0);
+  bool is_same = given.polygons == surface.polygons;
+  std::vector<Kernel::Point_2> uv(surface.points.size(), Kernel::Point_2(0, 0));
+  std::vector<char> is_known(surface.points.size(), 0);
   for(std::size_t i = 0; is_same && i < given.polygons.size(); ++i) {
     is_same = !given.images[i].empty();
     for(std::size_t k = 0; is_same && k < given.polygons[i].size(); ++k) {

@@ -13,6 +13,8 @@
 #include "formats/Polygon_file.h"
 #include "types.h"
 
+#include <CGAL/Flip_free_maps/report/Outcome.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -34,28 +36,18 @@ void read_surface(const std::string& path, bool with_images, Surface& surface);
 // Checks triangles, so that every fault has a name of its own, and makes a mesh of them whose vertex i is point i.
 void make_mesh(const Surface& surface, Mesh& mesh);
 
-struct Triangles : Surface
-{
-  Mesh mesh;
-};
+// Reads a surface that is to be mapped in one piece. Points at the same place are one if it has several pieces otherwise, which are
+// refused; if it `is_strict`, everything but a clean mesh of triangles is.
+void read_piece(const std::string& path, bool is_strict, Surface& surface);
 
-// Both for a connected surface.
-void read_triangles(const std::string& path, Triangles& triangles);
+// Whether each side of a polygon is that of another one, too, in the other direction.
+bool is_closed(const Surface& surface);
 
-using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
-
-// A connected surface with a border, and a map of it.
-struct Patch
-{
-  Triangles triangles;
-  Mesh::Halfedge_index border; // on the longest border
-  UV_map uv;
-};
-
-void read_patch(const std::string& path, Patch& patch);
+// Says what of a surface is not manifold by the numbers of the file, if that is what a function has failed for.
+void explain_failure(const Surface& surface, bool is_strict, FFM::Outcome& summary);
 
 // The texture coordinates of a file with the same faces, one pair for each vertex.
-std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Triangles& triangles);
+std::vector<Kernel::Point_2> vertex_texture(const std::string& path, const Surface& surface);
 
 } // namespace program
 

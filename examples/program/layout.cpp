@@ -94,20 +94,27 @@ void add_layout_options(CLI::App& command, Layout_arguments& arguments, const st
   command.add_flag("--unit-square", arguments.unit_square, "scale the texture coordinates into the unit square");
 }
 
-std::vector<File_argument> files_of(const Layout_arguments& arguments, const std::string& json, const std::string& trace)
+std::vector<File_argument> files_of(const Surface_output& output, const Picture_arguments& pictures, const std::string& json)
 {
-  std::vector<File_argument> files = files_of(arguments.output);
-  files.insert(files.end(), {{"--json", json}, {"--trace", trace}, {"--svg", arguments.pictures.svg}, {"--png", arguments.pictures.png}});
+  std::vector<File_argument> files = files_of(output);
+  files.insert(files.end(), {{"--json", json}, {"--svg", pictures.svg}, {"--png", pictures.png}});
   return files;
 }
 
-Corner_images corner_images(const Surface& surface, const UV_map& uv)
+std::vector<File_argument> files_of(const Layout_arguments& arguments, const std::string& json, const std::string& trace)
+{
+  std::vector<File_argument> files = files_of(arguments.output, arguments.pictures, json);
+  files.push_back({"--trace", trace});
+  return files;
+}
+
+Corner_images corner_images(const Surface& surface, const std::vector<Kernel::Point_2>& uv)
 {
   Corner_images images;
   for(const auto& polygon : surface.polygons) {
     images.emplace_back();
     for(const std::size_t v : polygon) {
-      const Kernel::Point_2& p = uv[Vertex(static_cast<Mesh::size_type>(v))];
+      const Kernel::Point_2& p = uv[v];
       images.back().push_back({p.x(), p.y()});
     }
   }

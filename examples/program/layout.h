@@ -41,6 +41,9 @@ void write_pictures(const Picture_arguments& arguments, const std::string& input
 void write_pictures(const Picture_arguments& arguments, const std::string& title, const FFM::Textured_mesh& layout,
                     const std::vector<double>& distortion);
 
+// All files that a call writes, the surface first.
+std::vector<File_argument> files_of(const Surface_output& output, const Picture_arguments& pictures, const std::string& json);
+
 // The files of sub-commands that map a patch to the plane.
 struct Layout_arguments
 {
@@ -53,14 +56,13 @@ struct Layout_arguments
 // Those but the pictures' options, which come last.
 void add_layout_options(CLI::App& command, Layout_arguments& arguments, const std::string& input, const std::string& output);
 
-// All files that a call writes, the surface first.
 std::vector<File_argument> files_of(const Layout_arguments& arguments, const std::string& json, const std::string& trace);
 
 // Writes and draws the map `images`, whatever of it is asked for; if it has to be scaled, it is certified anew.
 void write_layout(const Layout_arguments& arguments, const Surface& surface, Corner_images images, const FFM::Summary& summary);
 
 // The image of each vertex at all of its corners.
-Corner_images corner_images(const Surface& surface, const UV_map& uv);
+Corner_images corner_images(const Surface& surface, const std::vector<Kernel::Point_2>& uv);
 
 } // namespace program
 

@@ -142,12 +142,7 @@ int report(const Method_arguments& arguments, Status status, const std::string& 
 int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body, const Hints& hints)
 {
   FFM::Summary summary;
-  run_guarded(
-    arguments, [&] { body(summary); },
-    [&](Status status, const std::string& message) {
-      summary.status = status;
-      summary.message = message;
-    });
+  run_guarded(arguments, summary, body);
   const auto hint = hints.find(summary.status);
   // What the library recommends is a function.
   if(hint != hints.end())

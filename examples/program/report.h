@@ -50,6 +50,18 @@ void set_options(const Method_arguments& arguments, const std::shared_ptr<Report
 void run_guarded(const Method_arguments& arguments, const std::function<void()>& body,
                  const std::function<void(Status, const std::string&)>& fail);
 
+// The same for an account, which receives failures, and which `body(account)` fills.
+template <typename Account, typename Body>
+void run_guarded(const Method_arguments& arguments, Account& account, Body&& body)
+{
+  run_guarded(
+    arguments, [&] { body(account); },
+    [&](Status status, const std::string& message) {
+      account.status = status;
+      account.message = message;
+    });
+}
+
 // What helps against a status, in the program's words. It is added to messages.
 using Hints = std::map<Status, std::string>;
 

@@ -391,6 +391,21 @@ check "repaired without flips" test "$(value repaired.json flips)" = 0
 check "repaired to the same energy" close "$(value repaired.json energy)" "$energy" 1e-5
 expect 0 measure repaired.obj
 expect 17 repair missing.obj -o repaired.obj
+# Pinned vertices stay where they are. image_of FILE VERTEX: the vertex counts from 1.
+image_of()
+{
+  awk -v v="$2" '
+    $1 == "vt" { t[++n] = $2 " " $3 }
+    $1 == "f" { for(k = 2; k <= NF; ++k) { split($k, i, "/"); if(i[1] == v) found = i[2] } }
+    END { print t[found] }' "$1"
+}
+awk '$1 == "vt" { n++; if (n == 20) { print "vt", $2 - 1, $3 - 1; next } } { print }' off.obj > pulled.obj
+printf '0\n5\n' > pinned.txt
+expect 0 repair pulled.obj --pinned pinned.txt -o pinned.obj
+expect 0 measure pinned.obj
+for vertex in 1 6; do
+  check "a pinned vertex stays" test "$(image_of pinned.obj $vertex)" = "$(image_of pulled.obj $vertex)"
+done
 
 # The splitting scheme: to the same energies as the default method, from a Tutte embedding and from a map with flips.
 # As published it stops earlier.
@@ -1028,7 +1043,7 @@ expect 11 deform clockwise.off --handles index_2.txt -o bad.off
 expect 12 deform triangle.off --handles turned_over.txt -o bad.off --json bad.json
 check "the status of handles out of reach" test "$(value bad.json status)" = unreachable_constraints
 expect 6 deform components.off --handles index_2.txt -o bad.off
-expect 4 deform quads.off --handles index_2.txt -o bad.off
+expect 4 deform quads.off --handles index_2.txt --strict -o bad.off
 expect 17 deform broken.mesh --handles index_3.txt -o bad.off
 check "errors give no shape" test ! -e bad.off
 
@@ -1043,7 +1058,7 @@ printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n4 0 1 2 3\n3 1 4 2\n' > m
 printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 3\n3 0 1 2\n' > repeated.off
 while read -r code status file; do
   rm -f bad.json bad.obj
-  expect "$code" parameterize "$file" -o bad.obj --json bad.json
+  expect "$code" parameterize "$file" --strict -o bad.obj --json bad.json
   check "$file has the status $status" test "$(value bad.json status)" = "$status"
   check "$file has a message" grep -q '"message": "..........' bad.json
   check "$file gives no map" test ! -e bad.obj
@@ -1093,8 +1108,20 @@ expect 0 parameterize frame.off -o frame.obj --json frame.json
 expect 0 measure frame.obj
 expect 0 parameterize frame.off --bijective --json frame.json
 check "a map that was asked not to overlap itself" grep -q '"bijective": true' frame.json
-expect 9 parameterize zero_area.off
+expect 9 parameterize zero_area.off --strict
 check "the face is named by its number in the file" grep -q 'face number 1' err.txt
+# Polygons, faces without area, and triangles that have no points in common.
+printf '0 5 5\n' > moved_corner.txt
+for file in quads zero_area unwelded; do
+  expect 0 parameterize $file.off -o dirty.obj --json dirty.json
+  expect 0 measure dirty.obj
+  check "$file: an isometry" close "$(value dirty.json energy)" 1 1e-5
+  expect 0 deform $file.off --handles moved_corner.txt -o dirty.off --json deformed.json
+  check "$file: the handle arrives" arrive dirty.off moved_corner.txt
+  if [ $file = zero_area ]; then flat=1; else flat=0; fi
+  check "$file: faces without area are counted" test "$(value dirty.json faces_without_area)" = $flat
+  check "$file: those of a shape as well" test "$(value deformed.json faces_without_area)" = $flat
+done
 
 # A long thin tube may be beyond every start; if not, its map is as good as any.
 rm -f tube.obj

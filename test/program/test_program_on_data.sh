@@ -22,7 +22,7 @@ done
 
 while read -r code file; do
   rm -f bad.obj
-  expect "$code" parameterize "$data/$file" -o bad.obj
+  expect "$code" parameterize "$data/$file" --strict -o bad.obj
   if [ "$code" = 0 ]; then
     expect 0 measure bad.obj
   else
@@ -65,5 +65,12 @@ done << 'END'
 17 bad_wrong_count.off
 9 bad_zero_area_triangle.off
 END
+
+# Those that need not be refused.
+for file in bad_collinear_triangle bad_duplicated_vertices bad_mixed_polygons bad_quads bad_repeated_face bad_zero_area_triangle; do
+  rm -f bad.obj
+  expect 0 parameterize "$data/$file.off" -o bad.obj
+  expect 0 measure bad.obj
+done
 
 finish

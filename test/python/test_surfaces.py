@@ -327,15 +327,18 @@ def test_failures_carry_their_status():
     sheet, sheet_faces = meshes.sheet(4)
     bent = sheet.copy()
     bent[7] = np.nan
-    twice = np.concatenate([sheet_faces, sheet_faces[:1]])
+    turned = sheet_faces.copy()
+    turned[5] = turned[5, ::-1]
     flat = sheet.copy()
     flat[0] = flat[1]
+    # Faces without area, and those that are there twice, are mapped.
+    assert ffm.parameterize(flat, sheet_faces).summary.faces_without_area > 0
+    assert ffm.parameterize(sheet, np.concatenate([sheet_faces, sheet_faces[:1]])).summary.faces == len(sheet_faces)
     for call, status, kind in (
         (lambda: ffm.parameterize(points, faces), "no_border", ffm.NoBorder),
         (lambda: ffm.unwrap(bent, sheet_faces), "non_finite_input", ffm.NonFiniteInput),
         (lambda: ffm.parameterize(bent, sheet_faces), "non_finite_input", ffm.NonFiniteInput),
-        (lambda: ffm.parameterize(sheet, twice), "non_manifold", ffm.NonManifold),
-        (lambda: ffm.parameterize(flat, sheet_faces), "degenerate_rest_element", ffm.DegenerateRestElement),
+        (lambda: ffm.parameterize(sheet, turned), "non_manifold", ffm.NonManifold),
         (lambda: ffm.unwrap(flat, sheet_faces, strict=True), "degenerate_rest_element", ffm.DegenerateRestElement),
         (lambda: ffm.unwrap(flat, [[0, 1, 1], [2, 3, 2]]), "degenerate_rest_element", ffm.DegenerateRestElement),
         (lambda: ffm.unwrap(sheet, np.zeros((0, 3), dtype=int)), "empty_mesh", ffm.EmptyMesh),

@@ -16,8 +16,6 @@
 #include <CGAL/Flip_free_maps/deform.h>
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
-#include <CGAL/boost/graph/helpers.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,8 +62,9 @@ Mesh_plane find_plane(const Surface& surface, const std::vector<bool>& is_used)
   // In the plane of x and y, turned faces are an error of the file.
   if(normal != 2) {
     double area = 0;
-    for(const auto& t : surface.polygons)
-      area += CGAL::area(plane(surface.points[t[0]]), plane(surface.points[t[1]]), plane(surface.points[t[2]]));
+    for(const auto& polygon : surface.polygons)
+      for(std::size_t k = 2; k < polygon.size(); ++k)
+        area += CGAL::area(plane(surface.points[polygon[0]]), plane(surface.points[polygon[k - 1]]), plane(surface.points[polygon[k]]));
     plane.is_mirrored = area < 0;
   }
   return plane;
@@ -96,6 +95,8 @@ public:
       ->check(CLI::Range(0.001, 1.))
       ->capture_default_str();
     add_solid_options(*app, m_arguments);
+    app->add_flag("--strict", m_arguments.strict,
+                  "planar meshes: refuse polygons that are no triangles, faces without area, and points or faces that are there twice");
     add_method_options(*app, m_arguments.method);
     add_picture_options(*app, m_arguments.pictures);
   }
@@ -125,79 +126,75 @@ private:
     check(extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl",
           "cannot read " + m_arguments.input +
             ": planar meshes and surfaces are read from files .off, .obj, .ply and .stl, tetrahedra from " + VOLUME_EXTENSIONS);
-    Triangles triangles;
-    read_triangles(m_arguments.input, triangles);
-    if(CGAL::is_closed(triangles.mesh)) {
-      check_solid_output(m_arguments);
-      Solid_input input;
-      input.file = make_volume_file(tetrahedralized(triangles.mesh, m_arguments.cell_size));
-      take_solid(input.file, false, input.solid);
-      deform_solid(m_arguments, std::move(input), summary);
-    } else
-      deform_planar(triangles, summary);
+    Surface surface;
+    read_piece(m_arguments.input, m_arguments.strict, surface);
+    if(!is_closed(surface)) {
+      deform_planar(surface, summary);
+      return;
+    }
+    Mesh mesh;
+    make_mesh(surface, mesh);
+    check_solid_output(m_arguments);
+    Solid_input input;
+    input.file = make_volume_file(tetrahedralized(mesh, m_arguments.cell_size));
+    take_solid(input.file, false, input.solid);
+    deform_solid(m_arguments, std::move(input), summary);
   }
 
-  void deform_planar(Triangles& triangles, FFM::Summary& summary)
+  void deform_planar(Surface& surface, FFM::Summary& summary)
   {
     if(!m_arguments.start.empty() || m_arguments.soft_weight > 0 || m_arguments.tikhonov > 0 || m_arguments.second_order ||
        !m_arguments.encoding.empty())
       throw Failure{Status::invalid_option, "--start, --soft-weight, --tikhonov, --second-order and --encoding are for solids"};
-    Mesh& mesh = triangles.mesh;
     const std::string extension = small_extension(m_arguments.output);
     check(m_arguments.output.empty() || extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl",
           "cannot write " + m_arguments.output + ": planar meshes are written to files .off, .obj, .ply and .stl");
-    std::vector<bool> is_used(triangles.points.size(), false);
-    for(const auto& polygon : triangles.polygons)
+    std::vector<bool> is_used(surface.points.size(), false);
+    for(const auto& polygon : surface.polygons)
       for(const std::size_t v : polygon)
         is_used[v] = true;
-    const Mesh_plane plane = find_plane(triangles, is_used);
-    for(std::size_t i = 0; i < triangles.points.size(); ++i) {
-      const Kernel::Point_2 p = plane(triangles.points[i]);
-      mesh.point(Vertex(static_cast<Mesh::size_type>(i))) = Kernel::Point_3(p.x(), p.y(), 0);
-    }
-    const std::vector<std::pair<Vertex, Kernel::Point_2>> handles = read_planar_handles(triangles, plane, is_used);
+    const Mesh_plane plane = find_plane(surface, is_used);
+    std::vector<Kernel::Point_2> points, result;
+    for(const Kernel::Point_3& p : surface.points)
+      points.push_back(plane(p));
+    const auto handles = read_planar_handles(surface, plane, is_used);
 
-    auto result = mesh.add_property_map<Vertex, Kernel::Point_2>("v:deformed").first;
     const auto reporter = std::make_shared<Reporter>(m_arguments.method);
     FFM::Any_map_traits traits = make_traits(m_arguments.method);
     set_options(m_arguments.method, reporter, traits.options);
+    const auto deform = [&](const auto& method) {
+      return FFM::deform(points, surface.polygons, handles, result,
+                         FFM::parameters::map_traits(method, FFM::parameters::strict(m_arguments.strict)));
+    };
     if(m_arguments.method.is_splitting())
-      summary = FFM::deform(mesh, handles, result, splitting_traits(m_arguments.method, traits));
+      summary = deform(splitting_traits(m_arguments.method, traits));
     else {
-      summary = FFM::deform(mesh, handles, result, traits);
+      summary = deform(traits);
       traits.name_choices(summary);
     }
     reporter->finish();
+    explain_failure(surface, m_arguments.strict, summary);
     if(!summary.is_valid())
       return;
 
+    const Atlas atlas = make_atlas(surface, corner_images(surface, result));
     std::vector<double> distortion;
-    auto distortion_map = mesh.add_property_map<Mesh::Face_index, double>("f:distortion").first;
-    FFM::face_distortions(mesh, result, distortion_map);
-    FFM::Textured_mesh layout;
-    for(const auto face : mesh.faces())
-      distortion.push_back(distortion_map[face]);
-    // Vertices of no triangle stay where they are, and out of the picture.
-    std::vector<int> numbers(triangles.points.size(), -1);
-    for(const auto v : mesh.vertices())
+    FFM::measure_distortion(atlas.mesh, &distortion);
+    write_pictures(m_arguments.pictures, m_arguments.input, atlas.mesh, distortion, summary);
+    for(std::size_t v = 0; v < result.size(); ++v)
       if(is_used[v]) {
-        numbers[v] = static_cast<int>(layout.texture.size());
-        layout.texture.push_back({result[v].x(), result[v].y()});
-        std::array<double, 3> p{triangles.points[v].x(), triangles.points[v].y(), triangles.points[v].z()};
+        std::array<double, 3> p{surface.points[v].x(), surface.points[v].y(), surface.points[v].z()};
         p[plane.first] = plane.is_mirrored ? -result[v].x() : result[v].x();
         p[plane.second] = result[v].y();
-        triangles.points[v] = Kernel::Point_3(p[0], p[1], p[2]);
+        surface.points[v] = Kernel::Point_3(p[0], p[1], p[2]);
       }
-    for(const auto& polygon : triangles.polygons)
-      layout.texture_triangles.push_back({numbers[polygon[0]], numbers[polygon[1]], numbers[polygon[2]]});
-    write_pictures(m_arguments.pictures, m_arguments.input, layout, distortion, summary);
     if(!m_arguments.output.empty())
-      write_text(m_arguments.output, deformed_text(extension, triangles));
+      write_text(m_arguments.output, deformed_text(extension, surface));
   }
 
   // Their coordinates in the file are those along the plane.
-  std::vector<std::pair<Vertex, Kernel::Point_2>> read_planar_handles(const Surface& surface, const Mesh_plane& plane,
-                                                                      const std::vector<bool>& is_used) const
+  std::vector<std::pair<std::size_t, Kernel::Point_2>> read_planar_handles(const Surface& surface, const Mesh_plane& plane,
+                                                                           const std::vector<bool>& is_used) const
   {
     FFM::Positions<2> points(2, surface.points.size());
     for(std::size_t i = 0; i < surface.points.size(); ++i)
@@ -205,9 +202,9 @@ private:
     FFM::Handles<2> read;
     std::string message;
     check(FFM::read_handles<2>(m_arguments.handles, points, read, &message, is_used), message);
-    std::vector<std::pair<Vertex, Kernel::Point_2>> handles;
+    std::vector<std::pair<std::size_t, Kernel::Point_2>> handles;
     for(std::size_t i = 0; i < read.vertices.size(); ++i)
-      handles.emplace_back(Vertex(read.vertices[i]),
+      handles.emplace_back(read.vertices[i],
                            Kernel::Point_2(plane.is_mirrored ? -read.targets(0, i) : read.targets(0, i), read.targets(1, i)));
     return handles;
   }

@@ -31,6 +31,7 @@ struct Deform_arguments
   double soft_weight = 0, tikhonov = 0, cell_size = 0.05;
   bool second_order = false; // tetrahedra of 10 nodes are taken
   std::string encoding;      // of the output; empty for the usual one
+  bool strict = false;
 };
 
 // Options of all sub-commands for solids in files.

@@ -41,19 +41,13 @@ public:
     bool is_bijective = false;
     std::string overlap;
     std::size_t number_of_islands = 0;
-    run_guarded(
-      Method_arguments(),
-      [&] {
-        measure(atlas, report);
-        if(report.status != Status::success)
-          return;
-        is_bijective = FFM::is_bijective(atlas.mesh, &overlap);
-        number_of_islands = islands(atlas).size();
-      },
-      [&](Status status, const std::string& message) {
-        report.status = status;
-        report.message = message;
-      });
+    run_guarded(Method_arguments(), report, [&](FFM::Distortion_report& account) {
+      measure(atlas, account);
+      if(account.status != Status::success)
+        return;
+      is_bijective = FFM::is_bijective(atlas.mesh, &overlap);
+      number_of_islands = islands(atlas).size();
+    });
     const bool is_measured = report.status == Status::success;
     nlohmann::json json = report;
     json["bijective"] = is_bijective;

@@ -38,20 +38,14 @@ public:
 
   int run() override
   {
-    m_files = files_of(m_output);
-    m_files.insert(m_files.end(), {{"--json", m_limits.json}, {"--svg", m_pictures.svg}, {"--png", m_pictures.png}});
+    m_files = files_of(m_output, m_pictures, m_limits.json);
     std::string reason = why_not_written(m_output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_input}}, m_files);
     if(!reason.empty())
       return refuse(reason);
     FFM::Packing_summary summary;
-    run_guarded(
-      m_limits, [&] { pack(summary); },
-      [&](Status status, const std::string& message) {
-        summary.status = status;
-        summary.message = message;
-      });
+    run_guarded(m_limits, summary, [this](FFM::Packing_summary& account) { pack(account); });
     std::ostringstream text;
     text << summary;
     return report(m_limits, summary.status, summary.message, summary, text.str());

@@ -23,7 +23,7 @@ namespace program {
 
 namespace {
 
-using Soft_position = std::tuple<Vertex, Kernel::Point_2, double>;
+using Soft_position = std::tuple<std::size_t, Kernel::Point_2, double>;
 
 class Parameterize : public Command
 {
@@ -48,6 +48,8 @@ public:
     app->add_option("--soft", m_soft,
                     "file with lines 'vertex u v weight': vertices that are pulled to places, in the units of the surface");
     app->add_flag("--bijective", m_bijective, "the image must not overlap itself");
+    app->add_flag("--strict", m_strict,
+                  "refuse polygons that are no triangles, faces without area, and points or faces that are there twice");
     add_picture_options(*app, m_layout.pictures);
   }
 
@@ -75,66 +77,72 @@ private:
   void flatten(FFM::Summary& summary)
   {
     check_folders(m_files);
-    Patch patch;
-    read_patch(m_layout.input, patch);
+    Surface surface;
+    read_piece(m_layout.input, m_strict, surface);
+    std::vector<Kernel::Point_2> uv;
     const auto reporter = std::make_shared<Reporter>(m_method);
     if(m_method.is_default()) {
       FFM::Flip_free_map_traits<> traits;
       set_options(m_method, reporter, traits.options);
-      summary = flatten(patch, traits);
+      summary = flatten(surface, traits, uv);
     } else {
       FFM::Any_map_traits traits = make_traits(m_method);
       set_options(m_method, reporter, traits.options);
       if(m_method.is_splitting()) {
         FFM::Splitting_map_traits<FFM::Any_map_traits> splitting = splitting_traits(m_method, traits);
-        summary = flatten(patch, splitting);
+        summary = flatten(surface, splitting, uv);
       } else {
-        summary = flatten(patch, traits);
+        summary = flatten(surface, traits, uv);
         traits.name_choices(summary);
       }
     }
     reporter->finish();
+    explain_failure(surface, m_strict, summary);
     if(summary.is_valid())
-      write_layout(m_layout, patch.triangles, corner_images(patch.triangles, patch.uv), summary);
+      write_layout(m_layout, surface, corner_images(surface, uv), summary);
   }
 
   template <typename Traits>
-  FFM::Summary flatten(const Patch& patch, Traits& traits)
+  FFM::Summary flatten(const Surface& surface, Traits& traits, std::vector<Kernel::Point_2>& uv)
   {
-    const Mesh& mesh = patch.triangles.mesh;
     FFM::Start_options& start = traits.start;
     set_start(m_start, m_fix_border || !m_fixed.empty(), start);
     start.place_flaps = start.place_flaps || m_place_flaps;
 
-    std::vector<char> is_fixed(mesh.number_of_vertices(), 0);
+    std::vector<char> is_fixed(surface.points.size(), 0);
     if(!m_fixed.empty())
       for(const Number_row& row : read_number_rows(m_fixed, 1))
         is_fixed[vertex_of(row, 0, is_fixed.size())] = 1;
     std::vector<Soft_position> soft;
     if(!m_soft.empty())
       for(const Number_row& row : read_number_rows(m_soft, 4))
-        soft.emplace_back(Vertex(static_cast<Mesh::size_type>(vertex_of(row, 0, is_fixed.size()))),
-                          Kernel::Point_2(row.numbers[1], row.numbers[2]), row.numbers[3]);
+        soft.emplace_back(vertex_of(row, 0, is_fixed.size()), Kernel::Point_2(row.numbers[1], row.numbers[2]), row.numbers[3]);
 
-    const auto constraints = FFM::parameters::border_is_fixed(
-      m_fix_border, FFM::parameters::soft_positions(soft, CGAL::parameters::vertex_is_constrained_map(boost::make_iterator_property_map(
-                                                            is_fixed.begin(), get(boost::vertex_index, mesh)))));
+    namespace parameters = FFM::parameters;
+    const auto constraints = parameters::map_traits(
+      traits, parameters::strict(m_strict, parameters::border_is_fixed(
+                                             m_fix_border, parameters::soft_positions(
+                                                             soft, CGAL::parameters::vertex_is_constrained_map(by_number(is_fixed))))));
     if constexpr(std::is_same<Traits, FFM::Splitting_map_traits<FFM::Any_map_traits>>::value)
-      return parameterize(patch, traits, constraints);
+      return parameterize(surface, uv, constraints);
     else
-      return parameterize(patch, traits, FFM::parameters::bijective(m_bijective, constraints));
+      return parameterize(surface, uv, parameters::bijective(m_bijective, constraints));
   }
 
-  template <typename Traits, typename Parameters>
-  FFM::Summary parameterize(const Patch& patch, const Traits& traits, const Parameters& constraints) const
+  template <typename Parameters>
+  FFM::Summary parameterize(const Surface& surface, std::vector<Kernel::Point_2>& uv, const Parameters& constraints) const
   {
-    const Mesh& mesh = patch.triangles.mesh;
     if(is_named_start())
-      return FFM::parameterize(mesh, patch.border, patch.uv, traits, constraints);
-    const std::vector<Kernel::Point_2> given = vertex_texture(m_start.start, patch.triangles);
-    return FFM::parameterize(
-      mesh, patch.border, patch.uv, traits,
-      FFM::parameters::start_map(boost::make_iterator_property_map(given.begin(), get(boost::vertex_index, mesh)), constraints));
+      return FFM::parameterize(surface.points, surface.polygons, uv, constraints);
+    const std::vector<Kernel::Point_2> given = vertex_texture(m_start.start, surface);
+    return FFM::parameterize(surface.points, surface.polygons, uv, FFM::parameters::start_map(by_number(given), constraints));
+  }
+
+  // An array as a property map.
+  template <typename Values>
+  static auto by_number(const Values& values)
+  {
+    return boost::make_iterator_property_map(values.begin(), boost::typed_identity_property_map<std::size_t>());
   }
 
   Method_arguments m_method;
@@ -142,7 +150,7 @@ private:
   std::vector<File_argument> m_files;
   Start_choice m_start;
   std::string m_fixed, m_soft;
-  bool m_place_flaps = false, m_fix_border = false, m_bijective = false;
+  bool m_place_flaps = false, m_fix_border = false, m_bijective = false, m_strict = false;
 };
 
 } // namespace

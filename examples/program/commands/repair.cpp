@@ -7,6 +7,7 @@
 
 #include "../commands.h"
 #include "../layout.h"
+#include "../number_files.h"
 #include "../report.h"
 #include "../splitting.h"
 
@@ -27,12 +28,17 @@ struct Island
   std::vector<std::size_t> texture; // the numbers of the texture coordinates in the atlas
   std::vector<Kernel::Point_3> points;
   std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<char> has_area; // by triangle
   std::vector<Kernel::Point_2> images;
+  std::vector<char> is_pinned; // by point
+
+  bool has_pinned() const { return std::find(is_pinned.begin(), is_pinned.end(), 1) != is_pinned.end(); }
 };
 
-// Points are scaled by `scale`.
-Island make_island(const FFM::Textured_mesh& mesh, const std::vector<std::size_t>& triangles, double scale)
+// Points are scaled by `scale`. `is_pinned` tells which points of the atlas are.
+Island make_island(const Atlas& atlas, const std::vector<std::size_t>& triangles, const std::vector<char>& is_pinned, double scale)
 {
+  const FFM::Textured_mesh& mesh = atlas.mesh;
   Island island;
   std::map<int, std::size_t> numbers;
   for(const std::size_t i : triangles) {
@@ -47,8 +53,10 @@ Island make_island(const FFM::Textured_mesh& mesh, const std::vector<std::size_t
       island.texture.push_back(t);
       island.points.emplace_back(scale * p[0], scale * p[1], scale * p[2]);
       island.images.emplace_back(mesh.texture[t][0], mesh.texture[t][1]);
+      island.is_pinned.push_back(is_pinned[mesh.triangles[i][k]]);
     }
     island.triangles.push_back(triangle);
+    island.has_area.push_back(atlas.has_area[i]);
   }
   return island;
 }
@@ -57,7 +65,10 @@ Island make_island(const FFM::Textured_mesh& mesh, const std::vector<std::size_t
 double usual_scale(const Island& island)
 {
   std::vector<double> scales;
-  for(const auto& t : island.triangles) {
+  for(std::size_t i = 0; i < island.triangles.size(); ++i) {
+    if(!island.has_area[i])
+      continue;
+    const auto& t = island.triangles[i];
     const double area = std::sqrt(CGAL::squared_area(island.points[t[0]], island.points[t[1]], island.points[t[2]]));
     scales.push_back(std::sqrt(std::abs(CGAL::area(island.images[t[0]], island.images[t[1]], island.images[t[2]])) / area));
   }
@@ -69,9 +80,12 @@ double usual_scale(const Island& island)
 
 bool is_positive(const Island& island, const std::vector<Kernel::Point_2>& images)
 {
-  return std::all_of(island.triangles.begin(), island.triangles.end(), [&](const std::array<std::size_t, 3>& t) {
-    return CGAL::orientation(images[t[0]], images[t[1]], images[t[2]]) == CGAL::LEFT_TURN;
-  });
+  for(std::size_t i = 0; i < island.triangles.size(); ++i) {
+    const auto& t = island.triangles[i];
+    if(island.has_area[i] && CGAL::orientation(images[t[0]], images[t[1]], images[t[2]]) != CGAL::LEFT_TURN)
+      return false;
+  }
+  return true;
 }
 
 // The images, turned and moved to where others are, as near as they come.
@@ -113,6 +127,7 @@ public:
                        "OBJ or PLY with texture coordinates; each island is repaired for itself, and those without flips are left alone",
                        "the mesh with the repaired texture coordinates");
     app->add_flag("--fix-border", m_fix_border, "the borders of islands keep their places");
+    app->add_option("--pinned", m_pinned, "file with the number of a vertex of the input per line, from 0: these stay where they are");
     app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
     add_limit_options(*app, m_method);
     add_picture_options(*app, m_layout.pictures);
@@ -123,7 +138,7 @@ public:
     m_files = files_of(m_layout, m_method.json, m_method.trace);
     std::string reason = why_not_written(m_layout.output);
     if(reason.empty())
-      reason = why_files_collide({{"the input", m_layout.input}}, m_files);
+      reason = why_files_collide({{"the input", m_layout.input}, {"--pinned", m_pinned}}, m_files);
     if(!reason.empty())
       return refuse(reason);
     return run_reported(m_method, [this](FFM::Summary& summary) { repair(summary); });
@@ -135,20 +150,27 @@ private:
     check_folders(m_files);
     Surface surface;
     read_surface(m_layout.input, true, surface);
-    Atlas atlas = make_atlas(surface, surface.images);
-    check(!atlas.mesh.triangles.empty(), m_layout.input + ": no face with an area has texture coordinates");
+    Atlas atlas = make_atlas(surface, surface.images, true);
+    const std::vector<char> is_pinned = pinned_places(surface, atlas);
+    check(std::count(atlas.has_area.begin(), atlas.has_area.end(), 1) > 0,
+          m_layout.input + ": no face with an area has texture coordinates");
     const auto reporter = std::make_shared<Reporter>(m_method);
-    const auto all_islands = islands(atlas);
+    auto all_islands = islands(atlas);
+    const auto has_area = [&](const std::vector<std::size_t>& triangles) {
+      return std::any_of(triangles.begin(), triangles.end(), [&](std::size_t i) { return atlas.has_area[i]; });
+    };
+    all_islands.erase(std::stable_partition(all_islands.begin(), all_islands.end(), has_area), all_islands.end());
     std::size_t repaired = 0, largest = 0;
     std::int64_t flips = 0;
     bool is_cut_short = false;
     Status limit = Status::success;
     for(const auto& triangles : all_islands) {
+      // Of what has no area in space, no image is wrong.
       if(std::all_of(triangles.begin(), triangles.end(),
-                     [&](std::size_t i) { return image_orientation(atlas.mesh, i) == CGAL::LEFT_TURN; }))
+                     [&](std::size_t i) { return !atlas.has_area[i] || image_orientation(atlas.mesh, i) == CGAL::LEFT_TURN; }))
         continue;
-      Island island = make_island(atlas.mesh, triangles, 1);
-      island = make_island(atlas.mesh, triangles, usual_scale(island));
+      Island island = make_island(atlas, triangles, is_pinned, 1);
+      island = make_island(atlas, triangles, is_pinned, usual_scale(island));
       FFM::Summary part = repair(island, reporter);
       if(!part.is_valid()) {
         if(all_islands.size() > 1)
@@ -188,6 +210,17 @@ private:
     write_layout(m_layout, surface, std::move(images), summary);
   }
 
+  // By the points of the atlas, where those at the same place are one.
+  std::vector<char> pinned_places(const Surface& surface, const Atlas& atlas) const
+  {
+    std::vector<char> is_pinned(surface.points.size(), 0);
+    if(m_pinned.empty())
+      return is_pinned;
+    for(const Number_row& row : read_number_rows(m_pinned, 1))
+      is_pinned[atlas.first[vertex_of(row, 0, is_pinned.size())]] = 1;
+    return is_pinned;
+  }
+
   // Islands keep their scale and, as nearly as they can, their place.
   FFM::Summary repair(Island& island, const std::shared_ptr<Reporter>& reporter) const
   {
@@ -198,11 +231,14 @@ private:
     set_limits(m_method, options);
     set_options(m_method, reporter, traits.options);
     std::vector<Kernel::Point_2> images = island.images;
-    const FFM::Summary summary = FFM::repair_map(island.points, island.triangles, images,
-                                                 FFM::parameters::repair_options(options, FFM::parameters::map_traits(traits)));
+    const auto is_pinned = boost::make_iterator_property_map(island.is_pinned.begin(), boost::typed_identity_property_map<std::size_t>());
+    const FFM::Summary summary =
+      FFM::repair_map(island.points, island.triangles, images,
+                      FFM::parameters::repair_options(
+                        options, FFM::parameters::map_traits(traits, CGAL::parameters::vertex_is_constrained_map(is_pinned))));
     if(!summary.is_valid())
       return summary;
-    const std::vector<Kernel::Point_2> moved = m_fix_border ? images : laid_upon(images, island.images);
+    const std::vector<Kernel::Point_2> moved = m_fix_border || island.has_pinned() ? images : laid_upon(images, island.images);
     island.images = is_positive(island, moved) ? moved : images;
     return summary;
   }
@@ -210,6 +246,7 @@ private:
   Method_arguments m_method;
   Layout_arguments m_layout;
   std::vector<File_argument> m_files;
+  std::string m_pinned;
   bool m_fix_border = false, m_no_polish = false;
 };
 

@@ -94,8 +94,7 @@ public:
 
   int run() override
   {
-    m_files = files_of(m_output);
-    m_files.insert(m_files.end(), {{"--json", m_limits.json}, {"--svg", m_pictures.svg}, {"--png", m_pictures.png}});
+    m_files = files_of(m_output, m_pictures, m_limits.json);
     std::string reason = why_not_written(m_output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_input}, {"--seams", m_seams}}, m_files);
@@ -103,12 +102,7 @@ public:
       return refuse(reason);
     FFM::Unwrap_summary summary;
     std::string repairs;
-    run_guarded(
-      m_limits, [&] { unwrap(summary, repairs); },
-      [&](Status status, const std::string& message) {
-        summary.status = status;
-        summary.message = message;
-      });
+    run_guarded(m_limits, summary, [&](FFM::Unwrap_summary& account) { unwrap(account, repairs); });
     if(!summary.is_valid() && !repairs.empty())
       summary.message += " (numbers are those after --repair)";
     nlohmann::json json = summary;
@@ -127,11 +121,6 @@ private:
     check_folders(m_files);
     Surface surface;
     read_surface(m_input, m_keep_seams, surface);
-    if(m_strict) {
-      // Its messages name vertices.
-      Mesh mesh;
-      make_mesh(surface, mesh);
-    }
     const Vertex_pairs seams = prepare(surface, repairs);
     FFM::Unwrap_options options = m_options;
     options.strict = m_strict;
@@ -161,6 +150,7 @@ private:
                           FFM::parameters::unwrap_options(
                             options, FFM::parameters::map_traits(traits, CGAL::parameters::edge_is_constrained_map(Edge_set(seams)))));
     progress.finish();
+    explain_failure(surface, m_strict, summary);
     if(!summary.is_valid())
       return;
     draw(summary, surface, images);

@@ -73,7 +73,7 @@ FFM::Packing_options packing_options(const py::dict& options)
 template <typename Summary>
 bool mark_edges(const Surface& surface, const Edges& edges, std::vector<char>& is_marked, Summary& summary)
 {
-  is_marked.assign(3 * surface.triangles().size(), 0);
+  is_marked.assign(surface.number_of_halfedges(), 0);
   const std::size_t size = surface.number_of_vertices();
   for(const auto& pair : edges) {
     const std::int32_t h =

@@ -179,7 +179,7 @@ public:
   /// \tparam VertexParameterizedMap must be a model of `ReadWritePropertyMap` with vertex descriptors as keys and `bool` as
   ///   values
   ///
-  /// \param mesh a triangle mesh
+  /// \param mesh a mesh, of polygons and with faces without area, as `CGAL::Flip_free_maps::parameterize()` takes it
   /// \param border_halfedge a halfedge on the outer border of the component, a disk that may have holes
   /// \param uv_map receives the map if it is valid, see `CGAL::Flip_free_maps::parameterize()`
   /// \param vertex_index_map handed to the border parameterizer
@@ -229,7 +229,8 @@ public:
     };
     internal::Planar_solver<Traits> solver{traits};
     const Summary summary = internal::parameterize_patch(
-      mesh, border_halfedge, vertex_points, uv_map, traits.options, prepare, [](vertex_descriptor, auto&) { return false; }, solver);
+      mesh, border_halfedge, vertex_points, uv_map, traits.options, false, prepare, [(vertex_descriptor, auto&) {
+      return false; }, solver);
     if(summary.is_valid())
       for(vertex_descriptor v : written)
         put(vertex_parameterized_map, v, true);

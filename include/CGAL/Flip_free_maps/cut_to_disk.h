@@ -122,7 +122,7 @@ Cut_summary cut_to_disk(const PointRange& points, const TriangleRange& triangles
     summary.status = surface.load(points, triangles, summary.message);
     if(summary.status != Status::success)
       return;
-    std::vector<char> is_cut(3 * surface.triangles().size(), 0);
+    std::vector<char> is_cut(surface.number_of_halfedges(), 0);
     for(const Seam& seam : seams) {
       const std::int32_t h =
         surface.halfedge_between(internal::vertex_of_index(seam[0], points.size()), internal::vertex_of_index(seam[1], points.size()));

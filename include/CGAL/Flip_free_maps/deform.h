@@ -19,13 +19,16 @@
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/repair/Foldover_free.h>
 #include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
+#include <CGAL/Flip_free_maps/report/internal/name_faces_without_area.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -152,9 +155,38 @@ private:
 
 namespace internal {
 
+// Opens triangles without area in a planar shape `x`, in the domain's units: moves their vertices, and where that is not enough those
+// of their neighbours, too.
+template <typename Graph>
+bool open_flat_triangles(const Graph& graph, Positions<2>& x, Summary& summary)
+{
+  const Simplicial_domain<2>& domain = graph.domain();
+  std::vector<char> is_free(domain.number_of_vertices, 0);
+  for(const std::int64_t e : graph.elements_without_area())
+    for(const std::int32_t v : domain.elements[e])
+      is_free[v] = 1;
+  for(int rings = 0; rings < 3; ++rings) {
+    Position_constraints<2> constraints;
+    for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
+      if(!is_free[v])
+        constraints.fixed_vertices.push_back(v);
+    if(Foldover_free<2>(domain, Flip_free_map_traits<>(), constraints).remove_flips(x, summary))
+      return true;
+    const std::vector<char> was_free = is_free;
+    for(const auto& element : domain.elements)
+      if(std::any_of(element.begin(), element.end(), [&](std::int32_t v) { return was_free[v]; }))
+        for(const std::int32_t v : element)
+          is_free[v] = 1;
+  }
+  summary.status = Status::start_not_flip_free;
+  summary.message = "triangles without area cannot be opened: " + summary.message;
+  return false;
+}
+
 // Deforms a planar mesh that `load(graph, start, message)` reads. Handles are pairs of the mesh' vertices and places.
 template <typename TriangleMesh, typename Load, typename Handles, typename VertexPointMap2, typename Traits, typename NamedParameters>
-Summary deform_planar(Load&& load, const Handles& handles, VertexPointMap2 result, const Traits& traits, const NamedParameters& np)
+Summary deform_planar(const TriangleMesh& mesh, Load&& load, const Handles& handles, VertexPointMap2 result, const Traits& traits,
+                      const NamedParameters& np)
 {
   static_cast<void>(np);
   Summary summary;
@@ -163,6 +195,9 @@ Summary deform_planar(Load&& load, const Handles& handles, VertexPointMap2 resul
   const Deadline deadline(traits.options.max_seconds);
   const auto solve = [&] {
     const Simplicial_domain<2>& domain = graph.domain();
+    if(!Has_parameter<NamedParameters, Start_map_tag>::value && !graph.elements_without_area().empty() &&
+       !open_flat_triangles(graph, x, summary))
+      return;
     x = (domain.scale * x).colwise() + domain.origin;
     summary.start = "rest shape";
     if constexpr(Has_parameter<NamedParameters, Start_map_tag>::value) {
@@ -192,7 +227,10 @@ Summary deform_planar(Load&& load, const Handles& handles, VertexPointMap2 resul
   };
   run_map(
     summary, [&](std::string& message) { return load(graph, x, message); }, solve,
-    [&] { write_positions<typename Traits::Kernel>(graph.domain(), graph.vertices(), x, result, summary); });
+    [&] {
+      write_positions<typename Traits::Kernel>(graph.domain(), graph.vertices(), x, result, summary);
+      name_faces_without_area(graph.faces_without_area(mesh), summary);
+    });
   return summary;
 }
 
@@ -208,7 +246,8 @@ Summary deform_planar(Load&& load, const Handles& handles, VertexPointMap2 resul
 /// \tparam Traits must be a model of `MapTraits`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param mesh a connected triangle mesh in the plane, counterclockwise, with any number of borders
+/// \param mesh a connected mesh in the plane, counterclockwise, with any number of borders. Faces may be polygons, and faces without
+///   area are opened a little, as `parameterize()` does it
 /// \param handles the handles and their targets; a vertex may be given more than once, with the same target
 /// \param result receives the deformed shape. It is written once, at the end, if the map is valid, and left untouched otherwise.
 /// \param traits the method and its settings
@@ -226,6 +265,11 @@ Summary deform_planar(Load&& load, const Handles& handles, VertexPointMap2 resul
 ///     \cgalParamType{a model of `ReadablePropertyMap` with vertex descriptors as keys and planar points as values}
 ///     \cgalParamDefault{the shape at rest}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::strict}
+///     \cgalParamDescription{whether polygons that are no triangles, and faces without area, are refused}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns how it ended and what it cost: as `parameterize()`, or `not_planar`,
@@ -240,9 +284,10 @@ Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2
   using CGAL::parameters::get_parameter;
   const auto vertex_points =
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
-  return internal::deform_planar<TriangleMesh>(
-    [&](auto& graph, Positions<2>& x, std::string& message) { return graph.load_planar(mesh, vertex_points, x, message); }, handles, result,
-    traits, np);
+  const bool is_strict = choose_parameter(get_parameter(np, internal::strict_tag), false);
+  return internal::deform_planar(
+    mesh, [&](auto& graph, Positions<2>& x, std::string& message) { return graph.load_planar(mesh, vertex_points, x, message, is_strict); },
+    handles, result, traits, np);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -264,41 +309,48 @@ Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same for arrays.
+/// The same for arrays. Points at the same place are one vertex if the faces would have several components otherwise.
 ///
 /// \param points the points of the shape: a container with `operator[]`, as `std::vector`, of points in the plane, or in space with
 ///   the same third coordinate
-/// \param triangles the triangles: a container of triples of indices into `points`
+/// \param polygons the faces: a container of containers of indices into `points`, of any number of corners, or of triples of them
 /// \param handles pairs of an index into `points` and a planar point
 /// \param result a container of planar points, which becomes as long as `points` if the map is valid, and is left untouched otherwise;
-///   points that no triangle uses stay where they are
-/// \param np optional named parameters: `map_traits`, `map_options` and `start_map`, with indices as keys
+///   points that no face uses stay where they are
+/// \param np optional named parameters: `map_traits`, `map_options`, `strict` and `start_map`, with indices as keys
 /// \returns as for meshes; also `invalid_option` for an index out of range and `non_manifold`
-template <typename PointRange, typename TriangleRange, typename Handles, typename ResultRange,
+template <typename PointRange, typename PolygonRange, typename Handles, typename ResultRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters,
           std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
-Summary deform(const PointRange& points, const TriangleRange& triangles, const Handles& handles, ResultRange& result,
+Summary deform(const PointRange& points, const PolygonRange& polygons, const Handles& handles, ResultRange& result,
                const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Point = typename ResultRange::value_type;
+  const bool is_strict = internal::parameter_or(np, internal::strict_tag, false);
   internal::Triangle_surface surface;
   std::vector<Point> values;
   std::vector<std::pair<internal::Surface_vertex, internal::Vector<2>>> vertex_handles;
-  for(const auto& [v, p] : handles)
-    vertex_handles.emplace_back(internal::vertex_of_index(v, points.size()),
-                                internal::Vector<2>(CGAL::to_double(p[0]), CGAL::to_double(p[1])));
   const auto load = [&](auto& graph, Positions<2>& x, std::string& message) {
-    const Status status = surface.load(points, triangles, message);
+    const Status status = surface.load(points, polygons, message, is_strict);
     if(status != Status::success)
       return status;
     for(const auto& p : points)
       values.push_back(internal::make_point_2<Point>(CGAL::to_double(p[0]), CGAL::to_double(p[1])));
-    return graph.load_planar(surface, get(CGAL::vertex_point, surface), x, message);
+    for(const auto& [v, p] : handles) {
+      const internal::Surface_vertex given = internal::vertex_of_index(v, points.size());
+      vertex_handles.emplace_back(given.number < 0 ? given : internal::Surface_vertex{surface.vertex_of_point(given)},
+                                  internal::Vector<2>(CGAL::to_double(p[0]), CGAL::to_double(p[1])));
+    }
+    return graph.load_planar(surface, get(CGAL::vertex_point, surface), x, message, is_strict);
   };
-  const Summary summary = internal::deform_planar<internal::Triangle_surface>(load, vertex_handles, internal::Array_map<Point>{&values},
-                                                                              internal::chosen_traits<Flip_free_map_traits<>>(np), np);
-  if(summary.is_valid())
-    result = ResultRange(values.begin(), values.end());
+  const Summary summary = internal::deform_planar(surface, load, vertex_handles, internal::Array_map<Point>{&values},
+                                                  internal::chosen_traits<Flip_free_map_traits<>>(np), np);
+  if(!summary.is_valid())
+    return summary;
+  std::vector<Point> places;
+  for(std::size_t v = 0; v < values.size(); ++v)
+    places.push_back(values[surface.vertex_of_point(static_cast<std::int32_t>(v))]);
+  result = ResultRange(places.begin(), places.end());
   return summary;
 }
 

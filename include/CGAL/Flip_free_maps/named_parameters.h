@@ -114,6 +114,10 @@ enum Bijective_tag
 {
   bijective_tag
 };
+enum Strict_tag
+{
+  strict_tag
+};
 enum Edge_is_feature_map_tag
 {
   edge_is_feature_map_tag
@@ -231,6 +235,14 @@ template <typename Base = CGAL::parameters::Default_named_parameters>
 auto border_is_fixed(bool is_fixed, const Base& base = Base())
 {
   return internal::named_parameter<internal::Border_is_fixed_tag>(is_fixed, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// Whether polygons that are no triangles, faces without area, and arrays whose points or faces are there twice, are refused.
+template <typename Base = CGAL::parameters::Default_named_parameters>
+auto strict(bool is_strict, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Strict_tag>(is_strict, base);
 }
 
 /// \ingroup PkgFlipFreeMapsSeams

@@ -37,13 +37,20 @@ namespace Flip_free_maps {
 /// Flattens a surface patch into the plane with as little distortion as possible and no flipped triangle. The patch is a disk,
 /// which may have holes.
 ///
+/// The mesh need not be a clean one of triangles:
+/// - Faces may be polygons, convex or not, planar or not. They are cut into triangles by diagonals that suit their shapes; none of
+///   these is flipped.
+/// - Faces without area, whose corners are on a line, up to rounding, or at less than three places, have no rest shape. They are given
+///   thin ones, with about a thousandth of the height that their neighbours have, or less; so they have positive images, and hardly
+///   matter for all others. `Summary::faces_without_area` counts them.
+///
 /// \tparam TriangleMesh must be a model of `FaceListGraph` whose descriptors are `Hashable`: `CGAL::Surface_mesh`,
 ///   `CGAL::Polyhedron_3`, `CGAL::Seam_mesh`, `CGAL::Face_filtered_graph`, OpenMesh, or a user's own
 /// \tparam VertexUVMap must be a model of `WritablePropertyMap` with vertex descriptors as keys and planar points as values
 /// \tparam Traits must be a model of `MapTraits`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param mesh a triangle mesh
+/// \param mesh a mesh
 /// \param border_halfedge a halfedge on the outer border of the component to be flattened, which must be of genus 0. All other
 ///   borders are holes: the start closes them, the map does not. Any border may be the outer one;
 ///   the choice decides which map is found
@@ -88,6 +95,11 @@ namespace Flip_free_maps {
 ///     \cgalParamType{a range of `std::tuple<vertex_descriptor, Point_2, double>`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::strict}
+///     \cgalParamDescription{whether polygons that are no triangles, and faces without area, are refused}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{Flip_free_maps::parameters::bijective}
 ///     \cgalParamDescription{whether the image must not overlap itself, see \ref FFMBijective; declared in
 ///     `CGAL/Flip_free_maps/bijective.h`}
@@ -97,9 +109,10 @@ namespace Flip_free_maps {
 /// \cgalNamedParamsEnd
 ///
 /// \returns how it ended and what it cost; `Summary::is_valid()` tells whether `uv_map` was written. Bad input gives a status and
-///   a message, not an exception: `no_border`, `empty_mesh`, `not_triangular`, `not_a_disk`, `non_manifold`,
-///   `degenerate_rest_element`, `non_finite_input`, `start_not_flip_free`, `invalid_option`, `linear_solver_failed`,
-///   `line_search_failed`, `result_not_representable`, `not_bijective`, `out_of_memory`.
+///   a message, not an exception: `no_border`, `empty_mesh`, `not_a_disk`, `non_manifold`, `degenerate_rest_element` if all vertices
+///   coincide, `non_finite_input`, `start_not_flip_free`, `invalid_option`, `linear_solver_failed`, `line_search_failed`,
+///   `result_not_representable`, `not_bijective`, `out_of_memory`; also `not_triangular` and `degenerate_rest_element` if it is to be
+///   strict.
 ///
 /// Complexity: linear in the number of faces except for one sparse factorization per iteration; memory is that of the factor and
 /// some hundred bytes per face.
@@ -172,7 +185,8 @@ Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<Tr
     return Status::success;
   };
   internal::Planar_solver<Traits, internal::Has_parameter<NamedParameters, internal::Bijective_tag>::value> solver{used};
-  return internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, used.options, prepare, given, solver);
+  return internal::parameterize_patch(mesh, border_halfedge, vertex_points, uv_map, used.options,
+                                      choose_parameter(get_parameter(np, internal::strict_tag), false), prepare, given, solver);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -200,6 +214,55 @@ Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<Tr
 {
   return parameterize(mesh, border_halfedge, uv_map, internal::Default_method(), CGAL::parameters::default_values());
 }
+
+namespace internal {
+
+// Named parameters with indices as keys, as parameters of a surface: points that are one vertex ask for the same, and faces have the
+// user's numbers. `is_fixed` is where the fixed vertices are kept.
+template <typename NamedParameters>
+auto parameters_of_surface(const Triangle_surface& surface, const NamedParameters& np, std::vector<char>& is_fixed)
+{
+  using CGAL::parameters::get_parameter;
+  const std::size_t size = surface.number_of_vertices();
+  const auto fixed = [&] {
+    if constexpr(Has_parameter<NamedParameters, CGAL::internal_np::vertex_is_constrained_t>::value) {
+      const auto map = get_parameter(np, CGAL::internal_np::vertex_is_constrained);
+      is_fixed.assign(size, 0);
+      for(std::size_t v = 0; v < size; ++v) {
+        const std::int32_t vertex = surface.vertex_of_point(static_cast<std::int32_t>(v));
+        if(surface.is_used(vertex) && get(map, v))
+          is_fixed[vertex] = 1;
+      }
+      return named_parameter<CGAL::internal_np::vertex_is_constrained_t>(Array_map<char>{&is_fixed}, np);
+    } else {
+      return np;
+    }
+  };
+  const auto weighted = [&](const auto& base) {
+    if constexpr(Has_parameter<NamedParameters, Face_weight_map_tag>::value) {
+      const auto map = get_parameter(np, face_weight_map_tag);
+      return named_parameter<Face_weight_map_tag>(Map_of_faces<std::decay_t<decltype(map)>>{&surface, map}, base);
+    } else {
+      return base;
+    }
+  };
+  const auto pulled = [&](const auto& base) {
+    if constexpr(Has_parameter<NamedParameters, Soft_positions_tag>::value) {
+      std::vector<std::tuple<Surface_vertex, Vector<2>, double>> soft;
+      for(const auto& [v, p, weight] : get_parameter(np, soft_positions_tag)) {
+        const Surface_vertex given = vertex_of_index(v, size);
+        soft.emplace_back(given.number < 0 ? given : Surface_vertex{surface.vertex_of_point(given)},
+                          Vector<2>(CGAL::to_double(p[0]), CGAL::to_double(p[1])), weight);
+      }
+      return named_parameter<Soft_positions_tag>(soft, base);
+    } else {
+      return base;
+    }
+  };
+  return pulled(weighted(fixed()));
+}
+
+} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The same for the component of the longest border, which is the outer one. The status is `no_border` if there is none.
@@ -232,29 +295,43 @@ Summary parameterize(const TriangleMesh& mesh, VertexUVMap uv_map)
 /// \ingroup PkgFlipFreeMapsRef
 /// The same for arrays. The component of the longest border is flattened.
 ///
-/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
-/// \param triangles the triangles: a container of triples of indices into `points`
+/// Points at the same place are one vertex if the faces would have more components otherwise, as those of a polygon soup that lists
+/// the corners of each face. Of faces that occur twice, one is flattened.
+///
+/// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space. Those that no face
+///   uses may have any value.
+/// \param polygons the faces: a container of containers of indices into `points`, of any number of corners, or of triples of them
 /// \param uv a container of planar points, which becomes as long as `points` if the map is valid, and is left untouched otherwise;
 ///   points that the component does not use get the value (0, 0)
 /// \param np optional named parameters, as above, with indices as keys of property maps
 /// \returns as above; also `invalid_option` for an index out of range
-template <typename PointRange, typename TriangleRange, typename UVRange,
+template <typename PointRange, typename PolygonRange, typename UVRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters,
           std::enable_if_t<internal::Is_array<PointRange>::value, int> = 0>
-Summary parameterize(const PointRange& points, const TriangleRange& triangles, UVRange& uv,
+Summary parameterize(const PointRange& points, const PolygonRange& polygons, UVRange& uv,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Point = typename UVRange::value_type;
   internal::Triangle_surface surface;
   Summary summary;
-  summary.status = surface.load(points, triangles, summary.message);
+  summary.status = surface.load(points, polygons, summary.message, internal::parameter_or(np, internal::strict_tag, false));
   if(summary.status != Status::success)
     return summary;
+  if(surface.longest_border() == internal::Triangle_surface::NONE) {
+    summary.status = Status::no_border;
+    summary.message = "the surface is closed; it must be cut open before it can be flattened";
+    return summary;
+  }
   std::vector<Point> values(surface.number_of_vertices(), internal::make_point_2<Point>(0, 0));
+  std::vector<char> is_fixed;
   summary = parameterize(surface, {surface.longest_border()}, internal::Array_map<Point>{&values},
-                         internal::chosen_traits<internal::Default_method>(np), np);
-  if(summary.is_valid())
-    uv = UVRange(values.begin(), values.end());
+                         internal::chosen_traits<internal::Default_method>(np), internal::parameters_of_surface(surface, np, is_fixed));
+  if(!summary.is_valid())
+    return summary;
+  std::vector<Point> images;
+  for(std::size_t v = 0; v < values.size(); ++v)
+    images.push_back(values[surface.vertex_of_point(static_cast<std::int32_t>(v))]);
+  uv = UVRange(images.begin(), images.end());
   return summary;
 }
 

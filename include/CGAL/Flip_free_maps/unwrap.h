@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/domains/internal/Polygon_triangulator.h>
 #include <CGAL/Flip_free_maps/domains/internal/Surface_view.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
+#include <CGAL/Flip_free_maps/domains/internal/weld_points.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
@@ -33,6 +34,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <unordered_map>
@@ -112,6 +114,34 @@ std::vector<std::int32_t> marked_sides(const Polygon_soup& soup, const EdgeMap& 
         result.push_back(c);
     }
   return result;
+}
+
+// Writes for each edge, a pair of indices, whether it is a seam: whether a side of a polygon there has other images than what is
+// across it. Nothing is across a border.
+template <typename SeamMap>
+void put_seams(const Polygon_soup& soup, const std::vector<char>& seams, const SeamMap& map)
+{
+  using Key = std::pair<std::size_t, std::size_t>;
+  std::vector<std::int32_t> place(soup.points.cols(), -1);
+  for(const std::int32_t v : soup.vertices)
+    place[v] = v;
+  weld_points(soup.points, place);
+  std::map<Key, int> sides_at;
+  std::map<Key, bool> is_seam;
+  const auto for_each_side = [&soup](auto&& visit) {
+    for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
+      for(std::int32_t c = soup.first_corners[p]; c < soup.first_corners[p + 1]; ++c)
+        visit(c, soup.vertices[c], soup.vertices[soup.next(p, c)]);
+  };
+  const auto key = [](std::int32_t v, std::int32_t w) { return Key((std::min)(v, w), (std::max)(v, w)); };
+  for_each_side([&](std::int32_t, std::int32_t v, std::int32_t w) { ++sides_at[key(place[v], place[w])]; });
+  for_each_side([&](std::int32_t c, std::int32_t v, std::int32_t w) {
+    bool& value = is_seam[key(v, w)];
+    value = value || (seams[c] && place[v] != place[w] && sides_at[key(place[v], place[w])] > 1);
+  });
+  using boost::put; // for pointers
+  for(const auto& [edge, value] : is_seam)
+    put(map, edge, value);
 }
 
 // Whether a container of images can have as many as a polygon has corners, and makes it have them.
@@ -302,9 +332,10 @@ Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const CGAL::N
 /// \param polygons the faces: a container of containers of indices into `points`, of any number of corners, or of triples of them
 /// \param uv_of_corners receives the images of the corners of each polygon, in the order of its indices: a container of
 ///   `std::vector<Point_2>`, or of `std::array<Point_2, 3>` for triangles; it is left untouched if the atlas is not valid
-/// \param np optional named parameters: `map_traits`, `map_options` and `unwrap_options`; `edge_is_constrained_map` and
-///   `edge_is_feature_map`, whose keys are pairs `std::pair<std::size_t, std::size_t>` of indices, the smaller one first; and
-///   `face_chart_map`, whose keys are the numbers of polygons
+/// \param np optional named parameters: `map_traits`, `map_options` and `unwrap_options`; `edge_is_constrained_map`,
+///   `edge_is_feature_map` and `edge_is_seam_map`, whose keys are pairs `std::pair<std::size_t, std::size_t>` of indices, the smaller
+///   one first; and `face_chart_map`, whose keys are the numbers of polygons. An edge is a seam if faces that meet there, by their
+///   indices or their places, give different images to it.
 /// \returns as above; also `invalid_option` for an index out of range
 template <typename PointRange, typename PolygonRange, typename CornerRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters,
@@ -352,6 +383,8 @@ Unwrap_summary unwrap(const PointRange& points, const PolygonRange& polygons, Co
       for(std::size_t p = 0; p < corners.size(); ++p)
         put(chart_map, p, static_cast<Number>(result.charts[p]));
     }
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_seam_map_tag>::value)
+      internal::put_seams(soup, result.seams, get_parameter(np, internal::edge_is_seam_map_tag));
     uv_of_corners = CornerRange(corners.begin(), corners.end());
   };
   internal::catch_out_of_memory(run, summary);

@@ -14,32 +14,17 @@
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/report/Deadline.h>
+#include <CGAL/Flip_free_maps/report/internal/name_faces_without_area.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
-
-// Says what was done about faces without area.
-inline void name_faces_without_area(const std::vector<std::int32_t>& faces, Unwrap_summary& summary)
-{
-  constexpr std::size_t MOST_NAMES = 10;
-  summary.faces_without_area = static_cast<std::int64_t>(faces.size());
-  summary.first_faces_without_area.assign(faces.begin(), faces.begin() + (std::min)(faces.size(), MOST_NAMES));
-  if(faces.empty() || !summary.is_valid())
-    return;
-  std::string numbers;
-  for(const std::int64_t f : summary.first_faces_without_area)
-    numbers += (numbers.empty() ? "" : ", ") + std::to_string(f);
-  summary.message += "; without area: " + std::to_string(faces.size()) + (faces.size() == 1 ? " face, number " : " faces, numbers ") +
-                     numbers + (faces.size() > MOST_NAMES ? ", ..." : "");
-}
 
 // The same with traits of the caller's. `Point` has the precision of the numbers that receive the atlas.
 template <typename Point, typename Traits>

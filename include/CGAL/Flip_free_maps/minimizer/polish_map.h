@@ -27,18 +27,20 @@ namespace Flip_free_maps {
 /// \param constraints vertices that are fixed or pulled to places
 /// \param x a map without flips
 /// \param summary how the map was found; counts and times are added to it
+/// \returns whether it succeeded
 template <typename Minimizer, int D, typename Traits>
-void polish_map(const Simplicial_domain<D>& domain, const Traits& traits, const Position_constraints<D>& constraints, Positions<D>& x,
+bool polish_map(const Simplicial_domain<D>& domain, const Traits& traits, const Position_constraints<D>& constraints, Positions<D>& x,
                 Summary& summary)
 {
   const Summary before = summary;
   Minimizer minimizer(domain, traits, constraints);
   minimizer.minimize(x, summary);
   if(summary.is_valid())
-    return;
+    return true;
   const std::string message = before.message + "; not polished: " + summary.message;
   summary = before;
   summary.message = message;
+  return false;
 }
 
 } // namespace Flip_free_maps

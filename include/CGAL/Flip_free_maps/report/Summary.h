@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -84,6 +85,10 @@ struct Summary : Outcome
   std::string preconditioner;               ///< name of the preconditioner
   std::string reference;                    ///< name of the reference
   std::string acceleration;                 ///< name of the acceleration
+  /// Faces whose corners are on a line, up to rounding, or at less than three places. Their rest shapes are thin triangles instead,
+  /// which count as such in the energy and among the singular values.
+  std::int64_t faces_without_area = 0;
+  std::vector<std::int64_t> first_faces_without_area; ///< the numbers of the first ten of them
 
   /// `true` when a stopping rule was met. A map is valid, but not converged, when a limit or the observer ended the run.
   bool converged() const { return status == Status::success; }
@@ -105,6 +110,8 @@ struct Summary : Outcome
     visit("vertices", vertices);
     visit(dimension == 3 ? "tetrahedra" : "faces", elements);
     visit("flips", flips);
+    visit("faces_without_area", faces_without_area, faces_without_area > 0 ? Field_role::shown : DETAIL);
+    visit("first_faces_without_area", first_faces_without_area, DETAIL);
     visit("bijective", is_bijective);
     visit("energy_initial", energy_initial);
     visit("energy", energy);

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_DOMAINS_INTERNAL_TRIANGLE_SURFACE_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Polygon_soup.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -36,43 +37,6 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-template <typename Point, typename = void>
-struct Has_y : std::false_type
-{};
-
-template <typename Point>
-struct Has_y<Point, std::void_t<decltype(std::declval<const Point&>().y())>> : std::true_type
-{};
-
-template <typename Point, typename = void>
-struct Has_z : std::false_type
-{};
-
-template <typename Point>
-struct Has_z<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::true_type
-{};
-
-// Whether a point, of CGAL or a user's own, has two coordinates only.
-template <typename Point>
-struct Is_planar_point : std::bool_constant<Has_y<Point>::value && !Has_z<Point>::value>
-{};
-
-template <typename T, std::size_t N>
-struct Is_planar_point<std::array<T, N>> : std::bool_constant<N == 2>
-{};
-
-// Whether a type is an array of points or simplices: a random access container whose elements have `[0]`. Meshes are not.
-template <typename Range, typename = void>
-struct Is_array : std::false_type
-{};
-
-template <typename Range>
-struct Is_array<Range,
-                std::void_t<decltype(std::declval<const Range&>().size()), decltype(*std::declval<const Range&>().begin()),
-                            decltype(std::declval<const Range&>()[std::size_t(0)]), decltype((*std::declval<const Range&>().begin())[0])>>
-  : std::true_type
-{};
-
 // The halfedges of a mesh. Domains and arrays have none, so that the functions for meshes are out of the question for them.
 template <typename TriangleMesh, bool IsArray = Is_array<TriangleMesh>::value>
 struct Halfedge_of
@@ -92,17 +56,13 @@ struct Halfedge_of<Simplicial_domain<D>, false>
 // units, and `extent` the factor back.
 Status normalize_extent(Positions<3>& points, Eigen::Vector3d& low, double& extent, std::string& message);
 
-// Whether the triangles around some vertex form more than one fan: they have more corners there than a walk around the vertex
-// passes. `passed(v)` tells how many that are.
+// Whether the faces around some vertex form more than one fan: they have more corners there, as `degrees` tell, than a walk around
+// the vertex passes. `passed(v)` tells how many that are.
 template <typename Passed>
-bool has_pinched_vertex(const std::vector<std::array<std::int32_t, 3>>& triangles, std::size_t number_of_vertices, Passed&& passed)
+bool has_pinched_vertex(const std::vector<std::int32_t>& degrees, Passed&& passed)
 {
-  std::vector<std::int32_t> degree(number_of_vertices, 0);
-  for(const auto& triangle : triangles)
-    for(const std::int32_t v : triangle)
-      ++degree[v];
-  for(std::size_t v = 0; v < number_of_vertices; ++v)
-    if(degree[v] > 0 && passed(static_cast<std::int32_t>(v)) != degree[v])
+  for(std::size_t v = 0; v < degrees.size(); ++v)
+    if(degrees[v] > 0 && passed(static_cast<std::int32_t>(v)) != degrees[v])
       return true;
   return false;
 }
@@ -122,71 +82,35 @@ struct Surface_index
   }
 };
 
-// A triangle mesh as flat arrays, and a model of `FaceListGraph` on them, so that what takes meshes takes arrays, too. Halfedge
-// 3 f + k goes from corner k of face f to the next corner; -1 - h is the border halfedge on the other side of h.
+class Joined_polygons;
+
+// A mesh as flat arrays, and a model of `FaceListGraph` on them, so that what takes meshes takes arrays, too. The halfedges of face
+// f follow each other in the order of its corners, each going to the next corner; -1 - h is the border halfedge on the other side of h.
 class Triangle_surface
 {
 public:
   using Index = std::int32_t;
 
-  // Reads points, whose third coordinate may be missing, and triangles. Points that no triangle uses may have any value.
-  template <typename PointRange, typename TriangleRange>
-  Status load(const PointRange& points, const TriangleRange& triangles, std::string& message)
+  // Reads points, whose third coordinate may be missing, and triangles; or polygons, see `Joined_polygons`, unless it `is_strict`.
+  // Points that no face uses may have any value.
+  template <typename PointRange, typename PolygonRange>
+  Status load(const PointRange& points, const PolygonRange& polygons, std::string& message, bool is_strict = true)
   {
-    const std::size_t size = points.size();
-    constexpr std::size_t MOST = static_cast<std::size_t>((std::numeric_limits<Index>::max)() / 4);
-    m_triangles.clear();
-    for(const auto& triangle : triangles) {
-      Triangle t;
-      for(int k = 0; k < 3; ++k) {
-        // A negative number becomes a very large one.
-        const std::size_t v = static_cast<std::size_t>(triangle[k]);
-        if(v >= size) {
-          message = "triangle number " + std::to_string(m_triangles.size()) + " has the vertex " + std::to_string(triangle[k]) +
-                    ", but there are " + std::to_string(size) + " points";
-          return Status::invalid_option;
-        }
-        t[k] = static_cast<Index>(v);
-      }
-      if(t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
-        message = "a vertex occurs twice in face number " + std::to_string(m_triangles.size());
-        return Status::non_manifold;
-      }
-      m_triangles.push_back(t);
-      if(size > MOST || m_triangles.size() > MOST) {
-        message = "the mesh has more vertices or faces than 32-bit numbers can count";
-        return Status::out_of_memory;
-      }
-    }
-    if(m_triangles.empty()) {
-      message = "the mesh has no faces";
-      return Status::empty_mesh;
-    }
-    if(!read_points(points)) {
-      message = "a coordinate of the mesh is NaN or infinite";
-      return Status::non_finite_input;
-    }
-    if(!link(message))
-      return Status::non_manifold;
-    const auto passed = [this](Index v) {
-      Index number = 0, h = m_incoming[v];
-      do {
-        number += h >= 0 ? 1 : 0;
-        h = opposite(next(h));
-      } while(h != m_incoming[v]);
-      return number;
-    };
-    if(has_pinched_vertex(m_triangles, size, passed)) {
-      message = "several sheets of the surface meet at a vertex";
-      return Status::non_manifold;
-    }
-    return Status::success;
+    Polygon_soup soup;
+    const Status status = read_polygon_soup(points, polygons, soup, message);
+    return status == Status::success ? load(std::move(soup), is_strict, message) : status;
   }
 
-  using Triangle = std::array<Index, 3>;
+  Status load(Polygon_soup soup, bool is_strict, std::string& message);
 
-  const std::vector<Triangle>& triangles() const { return m_triangles; }
+  std::size_t number_of_faces() const { return m_first_halfedges.size() - 1; }
+  std::size_t number_of_halfedges() const { return m_sources.size(); } // those of faces
   std::size_t number_of_vertices() const { return m_incoming.size(); }
+  // The user's number of a face, of which some may be left out; and those of the faces that are so for want of three corners.
+  Index number_of_face(Index f) const { return m_numbers[f]; }
+  const std::vector<Index>& left_out() const { return m_left_out; }
+  // The vertex that stands for a point, often itself.
+  Index vertex_of_point(Index v) const { return m_first[v]; }
   // The points as they were given; unused ones are 0.
   const Positions<3>& points() const { return m_points; }
   bool is_used(Index v) const { return m_incoming[v] != NONE; }
@@ -196,10 +120,11 @@ public:
 
   static constexpr Index NONE = (std::numeric_limits<Index>::min)();
 
-  Index source(Index h) const { return h >= 0 ? m_triangles[h / 3][h % 3] : target(-1 - h); }
-  Index target(Index h) const { return h >= 0 ? m_triangles[h / 3][(h + 1) % 3 == 0 ? 0 : h % 3 + 1] : source(-1 - h); }
+  Index source(Index h) const { return h >= 0 ? m_sources[h] : target(-1 - h); }
+  Index target(Index h) const { return h >= 0 ? m_sources[next_in_face(h)] : source(-1 - h); }
   Index opposite(Index h) const { return h >= 0 ? m_opposite[h] : -1 - h; }
-  Index face(Index h) const { return h >= 0 ? h / 3 : NONE; }
+  Index face(Index h) const { return h >= 0 ? m_faces[h] : NONE; }
+  Index last_halfedge(Index f) const { return m_first_halfedges[f + 1] - 1; }
 
   Index next(Index h) const;
 
@@ -212,30 +137,21 @@ public:
   Index incoming(Index v) const { return m_incoming[v]; }
 
 private:
-  static Index prev_in_face(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  Index next_in_face(Index h) const { return h == last_halfedge(m_faces[h]) ? m_first_halfedges[m_faces[h]] : h + 1; }
+  Index prev_in_face(Index h) const { return h == m_first_halfedges[m_faces[h]] ? last_halfedge(m_faces[h]) : h - 1; }
 
-  template <typename PointRange>
-  bool read_points(const PointRange& points)
-  {
-    m_incoming.assign(points.size(), NONE);
-    for(std::size_t h = 0; h < 3 * m_triangles.size(); ++h)
-      m_incoming[target(static_cast<Index>(h))] = static_cast<Index>(h);
-    m_points.setZero(3, points.size());
-    for(std::size_t v = 0; v < points.size(); ++v)
-      if(m_incoming[v] != NONE) {
-        m_points.col(v) << CGAL::to_double(points[v][0]), CGAL::to_double(points[v][1]), 0;
-        if constexpr(!Is_planar_point<std::decay_t<decltype(points[v])>>::value)
-          m_points(2, v) = CGAL::to_double(points[v][2]);
-      }
-    return m_points.allFinite();
-  }
-
+  Status check_faces(const Polygon_soup& soup, bool is_strict, std::string& message) const;
+  void number_faces(const Joined_polygons& joined);
+  bool take(Polygon_soup& soup, std::string& message);
   bool link(std::string& message);
+  bool is_pinched() const;
 
-  std::vector<Triangle> m_triangles;
+  std::vector<Index> m_first_halfedges{0}; // by face
+  std::vector<Index> m_sources, m_faces;   // by halfedge
   Positions<3> m_points;
   std::vector<Index> m_opposite; // by halfedge
   std::vector<Index> m_incoming; // by vertex, a halfedge to it; `NONE` where no face has it
+  std::vector<Index> m_numbers, m_left_out, m_first;
 };
 
 using Surface_vertex = Surface_index<0>;
@@ -260,10 +176,10 @@ boost::iterator_range<Surface_iterator<Index>> surface_range(std::size_t size)
 }
 
 // The functions of the graph.
-inline auto faces(const Triangle_surface& s) { return surface_range<Surface_face>(s.triangles().size()); }
+inline auto faces(const Triangle_surface& s) { return surface_range<Surface_face>(s.number_of_faces()); }
 inline auto vertices(const Triangle_surface& s) { return surface_range<Surface_vertex>(s.number_of_vertices()); }
 // The one to corner 0, as in `CGAL::Surface_mesh`.
-inline Surface_halfedge halfedge(Surface_face f, const Triangle_surface&) { return {3 * f.number + 2}; }
+inline Surface_halfedge halfedge(Surface_face f, const Triangle_surface& s) { return {s.last_halfedge(f)}; }
 inline Surface_halfedge halfedge(Surface_vertex v, const Triangle_surface& s) { return {s.incoming(v)}; }
 inline Surface_halfedge halfedge(Surface_edge e, const Triangle_surface&) { return {e.number}; }
 inline Surface_edge edge(Surface_halfedge h, const Triangle_surface& s) { return {(std::max)(h.number, s.opposite(h))}; }
@@ -293,6 +209,24 @@ struct Surface_points
 
 inline Surface_points get(CGAL::vertex_point_t, const Triangle_surface& s) { return {&s}; }
 
+// The user's numbers of faces: of meshes, their places among all faces.
+template <typename Mesh, typename Face>
+std::int64_t number_of_face(const Mesh&, Face, std::int64_t place)
+{
+  return place;
+}
+
+inline std::int64_t number_of_face(const Triangle_surface& s, Surface_face f, std::int64_t) { return s.number_of_face(f); }
+
+// The numbers of faces that the user has, but the mesh has not.
+template <typename Mesh>
+std::vector<std::int32_t> left_out_faces(const Mesh&)
+{
+  return {};
+}
+
+inline const std::vector<std::int32_t>& left_out_faces(const Triangle_surface& s) { return s.left_out(); }
+
 // An array as a property map.
 template <typename Value>
 struct Array_map
@@ -306,6 +240,19 @@ struct Array_map
 
   friend Value get(const Array_map& map, std::size_t i) { return (*map.values)[i]; }
   friend void put(const Array_map& map, std::size_t i, const Value& value) { (*map.values)[i] = value; }
+};
+
+// A property map of the user's numbers of faces, for those of a surface.
+template <typename Map>
+struct Map_of_faces
+{
+  const Triangle_surface* surface;
+  Map map;
+
+  friend auto get(const Map_of_faces& faces, Surface_face f)
+  {
+    return get(faces.map, static_cast<std::size_t>(faces.surface->number_of_face(f)));
+  }
 };
 
 } // namespace internal

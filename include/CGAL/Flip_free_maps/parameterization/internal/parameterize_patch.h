@@ -17,6 +17,7 @@
 #include <CGAL/Flip_free_maps/parameterization/internal/Planar_request.h>
 #include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
+#include <CGAL/Flip_free_maps/report/internal/name_faces_without_area.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -69,8 +70,8 @@ struct Planar_solver
 // `solver` is a `Planar_solver`. Fixed vertices keep their positions exactly: `exact_position(v, p)` gives them in the user's units, or returns false where there are none.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexUVMap, typename Prepare, typename ExactPosition, typename Solver>
 Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border_halfedge,
-                           const VertexPointMap& vertex_points, VertexUVMap uv_map, const Map_options& options, Prepare&& prepare,
-                           ExactPosition&& exact_position, Solver&& solver)
+                           const VertexPointMap& vertex_points, VertexUVMap uv_map, const Map_options& options, bool is_strict,
+                           Prepare&& prepare, ExactPosition&& exact_position, Solver&& solver)
 {
   Summary summary;
   const auto run = [&] {
@@ -83,7 +84,7 @@ Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_trait
     Face_graph_domain<TriangleMesh> graph;
     {
       const Phase_timer timer(summary.seconds.load);
-      summary.status = graph.load(mesh, border_halfedge, vertex_points, summary.message);
+      summary.status = graph.load(mesh, border_halfedge, vertex_points, summary.message, is_strict);
     }
     if(summary.status != Status::success)
       return;
@@ -109,6 +110,7 @@ Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_trait
         x.col(v) = p;
     }
     write_positions(graph.vertices(), x, uv_map, [&](const Positions<2>& written) { return solver.certify(request, written, summary); });
+    name_faces_without_area(graph.faces_without_area(mesh), summary);
   };
   catch_out_of_memory(run, summary);
   summary.peak_memory_mb = peak_memory_mb();
