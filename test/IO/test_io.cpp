@@ -12,6 +12,7 @@
 
 #include "program/pictures/Layout_picture.h"
 #include <CGAL/Flip_free_maps/IO/OBJ.h>
+#include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 #include <CGAL/Flip_free_maps/domains/Textured_mesh.h>
 
 #include <algorithm>
@@ -761,3 +762,38 @@ BOOST_AUTO_TEST_CASE(pictures_without_cairo)
 }
 
 #endif
+
+// Standard libraries without std::from_chars() for doubles are served by streams, alike.
+BOOST_AUTO_TEST_CASE(numbers_by_streams)
+{
+  using namespace FFM::internal;
+  std::vector<std::string> words{"1",    "-2.25",     "1.5e3", "1E-3", ".5", "1.", "1e400", "-1e400", "1e-400", "4.9e-324",
+                                 "inf",  "-Infinity", "nan",   "",     "-",  "+1", "1e",    "1e+",    "1 ",     " 1",
+                                 "0x10", "abc",       "--1",   "1,5",  "0",  "-0", "0e9",   "1.2.3",  "e5",     "1e5e5"};
+  std::mt19937_64 random(1);
+  for(int i = 0; i < 2000; ++i) {
+    const std::uint64_t bits = random();
+    double value = 0;
+    std::memcpy(&value, &bits, sizeof(value));
+    if(!std::isfinite(value))
+      continue;
+    double read = 0;
+    BOOST_TEST((parse_by_stream(text_by_stream(value, 0), read) == std::errc()));
+    BOOST_TEST(read == value);
+    std::string text;
+    append_number(text, value, 9);
+    BOOST_TEST(text_by_stream(value, 9) == text);
+    words.push_back(text);
+  }
+  if constexpr(has_charconv_of_doubles)
+    for(const std::string& word : words) {
+      double by_stream = -7, by_charconv = -7;
+      const std::errc streamed = parse_by_stream(word, by_stream), converted = parse_by_charconv(word, by_charconv);
+      BOOST_TEST_CONTEXT("'" << word << "'")
+      {
+        BOOST_TEST((streamed == converted));
+        if(converted == std::errc() && !std::isnan(by_charconv))
+          BOOST_TEST(by_stream == by_charconv);
+      }
+    }
+}

@@ -12,18 +12,25 @@
 
 #include <CGAL/Flip_free_maps/atlas/Packing_options.h>
 #include <CGAL/Flip_free_maps/atlas/Unwrap_summary.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/for_each_index.h>
+#include <CGAL/Flip_free_maps/internal/parallel_invoke.h>
 #include <CGAL/Flip_free_maps/measure/Distortion_report.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 #include <CGAL/Flip_free_maps/seams/meet_seam_constraints.h>
+
+#include <CGAL/tags.h>
 
 #if __has_include(<nlohmann/json.hpp>)
 #define HAS_JSON
 #include <nlohmann/json.hpp>
 #endif
 
+#include <atomic>
 #include <cstddef>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace FFM = CGAL::Flip_free_maps;
@@ -208,3 +215,33 @@ BOOST_AUTO_TEST_CASE(seams_are_part_of_their_account)
   BOOST_TEST(json.contains("iterations"));
 }
 #endif
+
+// What other threads of the process do is not of the call, what tasks of the call do is, and once only.
+BOOST_AUTO_TEST_CASE(cpu_seconds_are_those_of_the_call)
+{
+  using namespace FFM::internal;
+  const auto burn = [](double seconds) {
+    const double begin = thread_cpu_seconds();
+    while(thread_cpu_seconds() - begin < seconds) {}
+  };
+  std::atomic<bool> is_done{false};
+  double others = 0;
+  std::thread other([&] {
+    while(!is_done)
+      burn(0.001);
+    others = thread_cpu_seconds();
+  });
+  double wall = 0, cpu = 0;
+  {
+    const Phase_timer timer(wall, &cpu);
+    for_each_index<CGAL::Parallel_if_available_tag>(4, [&](std::size_t) {
+      burn(0.01);
+      for_each_index<CGAL::Parallel_if_available_tag>(4, [&](std::size_t) { burn(0.005); });
+    });
+    parallel_invoke<CGAL::Parallel_if_available_tag>([&] { burn(0.02); }, [&] { burn(0.02); });
+  }
+  is_done = true;
+  other.join();
+  BOOST_TEST(cpu >= 0.16 * 0.999);
+  BOOST_TEST(cpu < 0.16 + 0.5 * others);
+}
