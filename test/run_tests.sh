@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian), builds everything in Release mode and runs all tests.
-# The last line reads "N passed, N failed"; the exit code is 0 only if nothing failed.
+# The last line reads "N passed, N failed"; the exit code is 0 only if nothing failed. Where something is missing that a test needs,
+# such as an optional library, the lines before tell which tests were skipped for it, and their number.
 #
 # usage: test/run_tests.sh [CMAKE_OPTION...]
 #   BUILD_DIR   where to build (default: build/tests in the repository)
@@ -52,6 +53,9 @@ if [[ "$status" -ne 0 && "$failed" -eq 0 ]]; then
   failed=1
 fi
 if [[ $((skipped + disabled)) -ne 0 ]]; then
+  awk '/<testcase /          { split($0, fields, "\""); name = fields[2]; is_skipped = 0 }
+       /<skipped message="SKIP_/ { is_skipped = 1 }
+       is_skipped && sub(/.*Skipped: /, "") { sub(/<.*/, ""); print "skipped " name ": " $0 }' "$report"
   echo "$((skipped + disabled)) skipped"
 fi
 echo "$passed passed, $failed failed"

@@ -104,7 +104,6 @@ void time_factorization(Mesh& mesh, Mesh::Halfedge_index border, VertexUVMap sta
 // Flattens a mesh by the default method within a limit of wall-clock time, which the start does not heed.
 inline Measured_run measure_run(Mesh& mesh, Mesh::Halfedge_index border, const Stopping_rule& rule, double max_seconds)
 {
-  using FFM::internal::cpu_seconds;
   using FFM::internal::peak_memory_mb;
   using FFM::internal::wall_seconds;
   Measured_run run;

@@ -187,9 +187,9 @@ Volume_run run_method(const std::string& method, const Problem& problem, const S
   traits.options.max_iterations = settings.iterations;
   traits.options.tikhonov = 1e-4;
   const auto soft = std::make_shared<Watched_soft_positions>(problem.handles);
-  const double begin = FFM::internal::cpu_seconds();
+  const double begin = benchmark_support::cpu_seconds();
   traits.options.observer = [&run, soft, begin](const FFM::Iteration_report& report) {
-    run.trace.push_back({report.iteration, FFM::internal::cpu_seconds() - begin, report.energy, report.energy - soft->last_value(),
+    run.trace.push_back({report.iteration, benchmark_support::cpu_seconds() - begin, report.energy, report.energy - soft->last_value(),
                          report.flips, report.factorizations});
     return true;
   };
@@ -197,7 +197,7 @@ Volume_run run_method(const std::string& method, const Problem& problem, const S
   minimizer.add_term(soft);
   FFM::Positions<3> x = problem.domain.domain().rest_points;
   minimizer.minimize(x, run.summary);
-  run.summary.cpu_seconds = FFM::internal::cpu_seconds() - begin;
+  run.summary.cpu_seconds = benchmark_support::cpu_seconds() - begin;
   return run;
 }
 

@@ -24,6 +24,7 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -42,6 +43,9 @@ inline std::string processor()
       return line.substr(line.find(':') + 2);
   return "unknown processor";
 }
+
+// CPU seconds of all threads of the process.
+inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Processor, threads, compiler and the versions of the libraries, in one line.
 inline std::string machine()

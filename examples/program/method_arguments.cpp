@@ -7,6 +7,8 @@
 
 #include "method_arguments.h"
 
+#include <cmath>
+
 namespace program {
 
 void add_method_options(CLI::App& command, Method_arguments& arguments)
@@ -63,6 +65,14 @@ void add_limit_options(CLI::App& command, Method_arguments& arguments)
   command.add_option("--threads", arguments.threads, "at most this many; results do not depend on it")->check(CLI::PositiveNumber);
   command.add_option("--json", arguments.json, "write the summary");
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+}
+
+std::string option_without_number(const CLI::App& command)
+{
+  for(const CLI::Option* option : command.get_options())
+    if(option->count() > 0 && option->get_type_name().rfind("FLOAT", 0) == 0 && std::isnan(option->as<double>()))
+      return option->get_name();
+  return "";
 }
 
 } // namespace program

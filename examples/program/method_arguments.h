@@ -33,6 +33,9 @@ void add_method_options(CLI::App& command, Method_arguments& arguments);
 // Those of them that tell when to stop and what to report.
 void add_limit_options(CLI::App& command, Method_arguments& arguments);
 
+// Names an option whose number is NaN, which no comparison of a check finds; empty if there is none.
+std::string option_without_number(const CLI::App& command);
+
 } // namespace program
 
 #endif // FLIP_FREE_MAPS_PROGRAM_METHOD_ARGUMENTS_H

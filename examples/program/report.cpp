@@ -7,27 +7,48 @@
 
 #include "report.h"
 
+#include "interruption.h"
 #include "outputs.h"
+
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <sstream>
-#include <unistd.h>
 
 namespace program {
 
-int exit_code(Status status) { return FFM::is_valid_map(status) ? 0 : static_cast<int>(status) - static_cast<int>(Status::empty_mesh) + 3; }
+int exit_code(Status status)
+{
+  if(status == Status::success || status == Status::iteration_limit)
+    return 0;
+  if(received_signal() != 0)
+    return exit_code_of_signal(received_signal());
+  return FFM::is_valid_map(status) ? 1 : static_cast<int>(status) - static_cast<int>(Status::empty_mesh) + 3;
+}
 
 std::string exit_codes_text()
 {
-  std::string text = "Exit codes: 0 a valid map was written (converged, or ended by a limit); 2 wrong command line";
-  for(int s = static_cast<int>(Status::empty_mesh); s <= static_cast<int>(Status::not_bijective); ++s)
+  std::string text =
+    "Exit codes: 0 a valid map was written (converged, or ended by a limit of iterations); 1 a valid map was written, which "
+    "the limit of time ended; " +
+    std::to_string(exit_code_of_signal(SIGINT)) + ", " + std::to_string(exit_code_of_signal(SIGTERM)) +
+    " ended by Ctrl-C or SIGTERM, with the valid map written if there was one; 2 wrong command line";
+  for(int s = static_cast<int>(Status::empty_mesh); s <= static_cast<int>(Status::interrupted); ++s)
     text += "; " + std::to_string(exit_code(static_cast<Status>(s))) + " " + FFM::status_name(static_cast<Status>(s));
   return text + ".";
 }
@@ -40,8 +61,17 @@ void write_json(const std::string& path, const nlohmann::json& json)
   write_text(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
 }
 
+bool shows_progress(const Method_arguments& arguments)
+{
+#ifdef _WIN32
+  return !arguments.quiet && _isatty(_fileno(stderr));
+#else
+  return !arguments.quiet && isatty(STDERR_FILENO);
+#endif
+}
+
 Reporter::Reporter(const Method_arguments& arguments)
-  : m_quiet(arguments.quiet || !isatty(STDERR_FILENO)),
+  : m_quiet(!shows_progress(arguments)),
     m_trace_path(arguments.trace),
     m_trace("iteration,seconds,energy,gradient_norm,step,flips,factorizations\n")
 {}
@@ -84,12 +114,14 @@ void run_guarded(const Method_arguments& arguments, const std::function<void()>&
     std::unique_ptr<tbb::global_control> control;
     if(arguments.threads > 0)
       control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, arguments.threads);
-#else
-    static_cast<void>(arguments);
 #endif
+    const double seconds = arguments.time_limit > 0 ? arguments.time_limit : std::numeric_limits<double>::infinity();
+    const FFM::Deadline deadline(seconds, [] { return received_signal() != 0; });
     body();
   } catch(const Failure& failure) {
     fail(failure.status, failure.message);
+  } catch(const FFM::Interruption& interruption) {
+    fail(Status::interrupted, interruption.what());
   } catch(const std::bad_alloc&) {
     fail(Status::out_of_memory, "memory was exhausted");
   } catch(const std::exception& exception) {

@@ -29,6 +29,9 @@ std::string exit_codes_text();
 
 void write_json(const std::string& path, const nlohmann::json& json);
 
+// Whether someone watches.
+bool shows_progress(const Method_arguments& arguments);
+
 // What a run leaves behind besides the map.
 class Reporter
 {

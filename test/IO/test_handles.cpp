@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(broken_files)
   BOOST_TEST(contains(message_for<2>("0 1 1\n", FFM::Positions<2>(2, 0), handles), "no vertices"));
 }
 
-BOOST_AUTO_TEST_CASE(handles_of_real_meshes)
+BOOST_AUTO_TEST_CASE(handles_of_real_meshes, *boost::unit_test::label("needs_data"))
 {
   const std::string root = std::string(FLIP_FREE_MAPS_SHARED_DATA_DIR) + "/";
   const struct
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(handles_of_real_meshes)
                {"tet_bar.mesh", "tet_bar_twist.handles", 50}};
   for(const auto& c : cases) {
     if(!std::filesystem::exists(root + c.handles)) {
-      BOOST_TEST_MESSAGE("skipped, there is no " << root + c.handles);
+      skip_case("there is no " + root + c.handles);
       continue;
     }
     FFM::Tetrahedral_mesh mesh;

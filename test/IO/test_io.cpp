@@ -401,6 +401,8 @@ BOOST_AUTO_TEST_CASE(OBJ_garbage)
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
 
+BOOST_AUTO_TEST_SUITE(pictures, *boost::unit_test::label("needs_cairo"))
+
 namespace {
 
 class Image
@@ -737,7 +739,11 @@ BOOST_AUTO_TEST_CASE(checkerboard_pixels)
   }
 }
 
+BOOST_AUTO_TEST_SUITE_END()
+
 #else
+
+BOOST_AUTO_TEST_CASE(pictures, *boost::unit_test::label("needs_cairo")) { test_support::skip_case("built without Cairo"); }
 
 BOOST_AUTO_TEST_CASE(pictures_without_cairo)
 {

@@ -207,6 +207,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_drawn)
 
 #else
 
+BOOST_AUTO_TEST_CASE(needs_cairo) { test_support::skip_case("built without Cairo"); }
+
 BOOST_AUTO_TEST_CASE(without_cairo)
 {
   std::string message;

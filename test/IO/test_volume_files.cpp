@@ -10,6 +10,7 @@
 #define BOOST_TEST_MODULE volume_files
 #include "support/unit_test.h"
 
+#include "support/generated_domains.h"
 #include "support/volume_checks.h"
 
 #include "program/formats/volume_files.h"
@@ -380,13 +381,35 @@ BOOST_AUTO_TEST_CASE(binary_vtu_files)
       }
 }
 
+// As many triangles as there are on the sides of a bar; each belongs to its owner, and outwards they enclose the volume.
+BOOST_AUTO_TEST_CASE(boundary_of_a_bar)
+{
+  const int n = 4, m = 3, l = 2;
+  const Volume volume = bar(n, m, l, [](const Eigen::Vector3d& p) { return p; });
+  const FFM::Tetrahedral_mesh mesh = as_mesh(volume);
+  std::vector<std::size_t> owners;
+  const std::vector<std::array<int, 3>> triangles = FFM::boundary_triangles(mesh, &owners);
+  BOOST_TEST_REQUIRE(triangles.size() == 4u * (n * m + m * l + l * n));
+  BOOST_TEST_REQUIRE(owners.size() == triangles.size());
+  double enclosed = 0;
+  for(std::size_t i = 0; i < triangles.size(); ++i) {
+    Eigen::Matrix3d corners;
+    for(int k = 0; k < 3; ++k) {
+      corners.col(k) = volume.points[triangles[i][k]];
+      BOOST_TEST((std::count(mesh.tetrahedra[owners[i]].begin(), mesh.tetrahedra[owners[i]].end(), triangles[i][k]) == 1));
+    }
+    enclosed += corners.determinant() / 6;
+  }
+  BOOST_TEST(enclosed == n * m * l, boost::test_tools::tolerance(1e-12));
+}
+
 // Files of the collection carry the boundary of their tetrahedra; the package finds the same.
-BOOST_AUTO_TEST_CASE(boundary_of_real_meshes)
+BOOST_AUTO_TEST_CASE(boundary_of_real_meshes, *boost::unit_test::label("needs_data"))
 {
   for(const std::string name : {"spot", "bar_twist"}) {
     const std::string path = std::string(FLIP_FREE_MAPS_SHARED_DATA_DIR) + "/cases/tet/" + name + ".mesh";
     if(!std::filesystem::exists(path)) {
-      BOOST_TEST_MESSAGE("skipped, there is no " << path);
+      skip_case("there is no " + path);
       continue;
     }
     FFM::Tetrahedral_mesh mesh;

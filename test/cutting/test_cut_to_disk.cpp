@@ -13,6 +13,7 @@
 #include "cutting/cut_checks.h"
 
 #include <CGAL/Flip_free_maps/cut_to_disk.h>
+#include <CGAL/Flip_free_maps/cutting/internal/Cut_graph.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/IO/OFF.h>
@@ -21,9 +22,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -77,6 +81,75 @@ void check_failure(Mesh mesh, FFM::Status status, const FFM::Cut_options& option
   BOOST_TEST(!summary.message.empty());
   BOOST_TEST(surface.seams().empty());
 }
+
+// The graph in which seams are looked for, without those who use it.
+struct Graph
+{
+  Surface surface;
+  std::vector<Edge> edges;
+  FFM::internal::Cut_surface flat;
+  FFM::internal::Cut_opening opening;
+  std::vector<double> costs;
+  FFM::internal::Cut_graph graph;
+
+  explicit Graph(const Soup& soup)
+    : surface(soup), flat(load()), opening(flat, flat.is_seam), costs(flat.lengths), graph(flat, opening, costs)
+  {}
+
+  FFM::internal::Cut_surface load()
+  {
+    FFM::internal::Cut_surface result;
+    std::string message;
+    const auto nothing = [](Edge) { return false; };
+    const FFM::Status status =
+      FFM::internal::load_cut_surface(surface.mesh, get(CGAL::vertex_point, surface.mesh), nothing, nothing, result, edges, message);
+    BOOST_TEST_REQUIRE((status == FFM::Status::success), message);
+    return result;
+  }
+
+  std::pair<std::int32_t, std::int32_t> ends(std::int32_t edge) const
+  {
+    const std::int32_t h = flat.edge_halfedge[edge];
+    return {graph.node_of(h), graph.node_of(FFM::internal::Cut_surface::next(h))};
+  }
+
+  double cost() const
+  {
+    double sum = 0;
+    for(std::int32_t e = 0; e < flat.number_of_edges(); ++e)
+      sum += graph.is_cut()[e] ? costs[e] : 0;
+    return sum;
+  }
+
+  // By Bellman's and Ford's algorithm.
+  std::vector<double> distances_from(std::int32_t source) const
+  {
+    std::vector<double> result(graph.number_of_nodes(), std::numeric_limits<double>::infinity());
+    result[source] = 0;
+    for(bool changes = true; changes;) {
+      changes = false;
+      for(std::int32_t e = 0; e < flat.number_of_edges(); ++e) {
+        const auto [a, b] = ends(e);
+        for(const auto& [from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
+          if(!flat.is_border(e) && result[from] + costs[e] < result[to] - 1e-13) {
+            result[to] = result[from] + costs[e];
+            changes = true;
+          }
+      }
+    }
+    return result;
+  }
+
+  // Writes the seams to the mesh, where they are counted.
+  Count count()
+  {
+    for(std::int32_t e = 0; e < flat.number_of_edges(); ++e)
+      surface.cut[edges[e]] = graph.is_cut()[e];
+    return surface.count();
+  }
+};
+
+const auto never = [] { return false; };
 
 } // namespace
 
@@ -377,19 +450,118 @@ BOOST_AUTO_TEST_CASE(bad_input)
   check_option([](auto& o) { o.crease_preference = -1; });
 }
 
-BOOST_AUTO_TEST_CASE(scanned_and_modelled_surfaces)
+BOOST_AUTO_TEST_CASE(distances_in_the_graph)
+{
+  for(const Soup& soup : {block_soup(), sheet_soup(8, 6, {{2, 2}, {5, 3}}), plate_soup(1)}) {
+    Graph g(soup);
+    for(const std::int32_t source : {0, g.graph.number_of_nodes() / 2}) {
+      const std::vector<double> expected = g.distances_from(source), found = g.graph.find_distances({source});
+      double error = 0;
+      for(std::size_t n = 0; n < expected.size(); ++n)
+        error = (std::max)(error, std::abs(found[n] - expected[n]));
+      BOOST_TEST(error <= 1e-12);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ends_are_joined_by_a_tree)
+{
+  Graph g(block_soup());
+  const std::int32_t n = g.graph.number_of_nodes();
+  const std::vector<std::int32_t> ends{0, n / 3, n / 2, n - 1};
+  g.graph.connect(ends);
+  std::map<std::int32_t, int> degrees;
+  std::vector<std::int32_t> parents(n);
+  std::iota(parents.begin(), parents.end(), 0);
+  const auto root = [&](std::int32_t v) {
+    while(parents[v] != v)
+      v = parents[v];
+    return v;
+  };
+  int edges = 0;
+  for(std::int32_t e = 0; e < g.flat.number_of_edges(); ++e)
+    if(g.graph.is_cut()[e]) {
+      const auto [a, b] = g.ends(e);
+      ++edges;
+      ++degrees[a];
+      ++degrees[b];
+      BOOST_TEST(root(a) != root(b));
+      parents[root(a)] = root(b);
+    }
+  BOOST_TEST(static_cast<int>(degrees.size()) == edges + 1);
+  for(const std::int32_t end : ends)
+    BOOST_TEST(degrees.count(end) == 1u);
+  for(const auto& [node, degree] : degrees)
+    BOOST_TEST((degree > 1 || std::count(ends.begin(), ends.end(), node) == 1));
+  BOOST_TEST(g.cost() < g.distances_from(0)[n / 3] + g.distances_from(0)[n / 2] + g.distances_from(0)[n - 1] + 1e-12);
+  const double cost = g.cost();
+  g.graph.prune();
+  BOOST_TEST(g.cost() == cost);
+}
+
+// A path that was the shortest for other costs becomes the shortest one.
+BOOST_AUTO_TEST_CASE(chains_become_shortest_paths)
+{
+  Graph g(block_soup());
+  const std::int32_t a = 0, b = g.graph.number_of_nodes() - 1;
+  for(std::size_t e = 0; e < g.costs.size(); ++e)
+    g.costs[e] = 1 + 7 * e % 11;
+  g.graph.connect({a, b});
+  g.costs = g.flat.lengths;
+  const double shortest = g.distances_from(a)[b];
+  BOOST_TEST_REQUIRE(g.cost() > 1.05 * shortest);
+  g.graph.shorten(20, never);
+  BOOST_TEST(g.cost() == shortest, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(handles_are_opened)
+{
+  for(const int genus : {1, 3}) {
+    Graph g(plate_soup(genus));
+    g.graph.open_handles(false, never);
+    const Count count = g.count();
+    BOOST_TEST(count.is_of_disks());
+    BOOST_TEST(count.pieces == 1);
+    const double cost = g.cost();
+    g.graph.shorten(20, never);
+    BOOST_TEST(g.count().is_of_disks());
+    BOOST_TEST(g.cost() <= cost);
+  }
+}
+
+// What the collection has, made up: many handles and holes, and nothing that is flat, straight or of one size.
+BOOST_AUTO_TEST_CASE(uneven_surfaces)
+{
+  for(const Soup& even : {plate_soup(12), sheet_soup(16, 12, {{2, 2}, {2, 7}, {6, 4}, {10, 9}, {12, 3}}), block_soup(9, 7, 5)}) {
+    Soup soup = even;
+    double phase = 0;
+    for(Point& p : soup.points) {
+      phase += 2.4;
+      p = Point(p.x() + 0.3 * std::sin(phase), 1.5 * p.y() + 0.3 * std::cos(1.7 * phase),
+                p.z() * (1 + 0.1 * p.x()) + 0.3 * std::sin(2.9 * phase));
+    }
+    Surface surface(soup);
+    const Count before = surface.count();
+    const int genus = (2 - before.euler.front() - before.borders.front()) / 2;
+    check_disks(surface, 1, before.borders.front(), genus);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(scanned_and_modelled_surfaces, *boost::unit_test::label("needs_data"))
 {
   const std::filesystem::path folder = FLIP_FREE_MAPS_SHARED_DATA_DIR;
+  std::set<std::filesystem::path> files;
   if(!std::filesystem::exists(folder)) {
-    BOOST_TEST_MESSAGE("skipped: no folder " << folder);
+    skip_case("there is no folder " + folder.string());
     return;
   }
-  std::set<std::filesystem::path> files;
   for(const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if(entry.path().extension() == ".off" && (name.rfind("closed_", 0) == 0 || name.rfind("holes_", 0) == 0))
       files.insert(entry.path());
   }
+  if(files.empty())
+    skip_case("there are no meshes in " + folder.string());
   for(const auto& file : files)
     BOOST_TEST_CONTEXT(file)
     {

@@ -77,10 +77,6 @@ BOOST_AUTO_TEST_CASE(property_of_the_mesh)
 
 #else
 
-BOOST_AUTO_TEST_CASE(skipped)
-{
-  BOOST_TEST_MESSAGE("skipped: OpenMesh was not found");
-  BOOST_TEST(true);
-}
+BOOST_AUTO_TEST_CASE(needs_openmesh) { test_support::skip_case("built without OpenMesh"); }
 
 #endif

@@ -17,6 +17,10 @@
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -174,16 +178,21 @@ BOOST_AUTO_TEST_CASE(start_is_valid_and_near_the_optimum)
   BOOST_TEST(start_energy - optimum < 0.1 * (tutte_energy - optimum));
 }
 
-BOOST_AUTO_TEST_CASE(start_is_deterministic)
+BOOST_AUTO_TEST_CASE(start_does_not_depend_on_threads)
 {
   const auto domain = make_domain(bumpy_patch(30, 20));
-  const Start first = multilevel_start(domain, small_levels()), second = multilevel_start(domain, small_levels());
+  const Start first = multilevel_start(domain, small_levels());
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+#endif
+  const Start second = multilevel_start(domain, small_levels());
   BOOST_REQUIRE(first.status == FFM::Status::success);
   BOOST_CHECK(first.x == second.x);
 }
 
 BOOST_AUTO_TEST_CASE(long_tube_on_which_tutte_fails)
 {
+  // Each ring is drawn e times smaller than the one before it, the last one far below the rounding of any solver.
   const auto domain = make_domain(closed_tube(6, 120));
   BOOST_REQUIRE(tutte_start(domain).cols() == 0);
   const Start start = multilevel_start(domain, small_levels());

@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(blocks_that_are_not_positive_definite_are_refused)
 }
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
-BOOST_AUTO_TEST_CASE(the_budget_decides)
+BOOST_AUTO_TEST_CASE(the_budget_decides, *boost::unit_test::label("needs_cholmod"))
 {
   const System<2> system;
   FFM::Cholmod_solver direct;
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(the_budget_decides)
 }
 
 // Directions that are one percent off lead to the same minimum.
-BOOST_AUTO_TEST_CASE(maps_without_memory_for_a_factor)
+BOOST_AUTO_TEST_CASE(maps_without_memory_for_a_factor, *boost::unit_test::label("needs_cholmod"))
 {
   const FFM::Simplicial_domain<2> domain = make_domain(bumpy_patch(24, 18));
   FFM::Flip_free_map_traits<> traits;
@@ -176,4 +176,6 @@ BOOST_AUTO_TEST_CASE(maps_without_memory_for_a_factor)
   traits.options.memory_budget = -1;
   BOOST_TEST(FFM::status_name(FFM::Map_minimizer<2>(domain, traits).minimize(x).status) == FFM::status_name(FFM::Status::invalid_option));
 }
+#else
+BOOST_AUTO_TEST_CASE(budgets, *boost::unit_test::label("needs_cholmod")) { skip_case("built without CHOLMOD"); }
 #endif

@@ -283,7 +283,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bad_values, Solver, Direct_solvers)
 }
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
-BOOST_AUTO_TEST_CASE(cholmod_rejects_indefinite_matrices)
+BOOST_AUTO_TEST_CASE(cholmod_rejects_indefinite_matrices, *boost::unit_test::label("needs_cholmod"))
 {
   // Small ones are factorized by the simplicial kernel, large ones with dense rows by the supernodal one.
   std::set<std::string> names;
@@ -330,7 +330,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(large_matrix, Solver, Direct_solvers)
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 // Minimum degree suffices for a strip; a cube has separators that nested dissection finds.
-BOOST_AUTO_TEST_CASE(cholmod_ordering)
+BOOST_AUTO_TEST_CASE(cholmod_ordering, *boost::unit_test::label("needs_cholmod"))
 {
   const auto ordering_of = [](int n_x, int n_y, int n_z) {
     std::vector<std::array<std::int32_t, 2>> edges;
@@ -354,6 +354,8 @@ BOOST_AUTO_TEST_CASE(cholmod_ordering)
   BOOST_TEST(ordering_of(4000, 2, 1) == "amd");
   BOOST_TEST(ordering_of(16, 16, 16) == "metis");
 }
+#else
+BOOST_AUTO_TEST_CASE(cholmod, *boost::unit_test::label("needs_cholmod")) { skip_case("built without CHOLMOD"); }
 #endif
 
 BOOST_AUTO_TEST_CASE(robust_solver_falls_back)

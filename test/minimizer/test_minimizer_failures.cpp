@@ -14,6 +14,8 @@
 
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
+#include <Eigen/SVD>
+
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -84,6 +86,9 @@ BOOST_FIXTURE_TEST_CASE(energies_of_nan_are_never_accepted, Fixture)
 {
   check_failed(run<Varied_traits<Nan_energy>>(), FFM::Status::start_not_flip_free);
 
+  // All elements of a developable surface want to go where the hole is: the run cannot converge, and stops short of it.
+  domain = make_domain(bent_sheet(8, 7));
+  start = tutte_start(domain);
   FFM::Map_options options;
   options.max_iterations = 200;
   bool is_finite = true;
@@ -95,13 +100,15 @@ BOOST_FIXTURE_TEST_CASE(energies_of_nan_are_never_accepted, Fixture)
   };
   const FFM::Summary summary = run<Varied_traits<Energy_with_hole>>(options);
   BOOST_TEST(is_finite);
-  BOOST_TEST(std::isfinite(summary.energy));
-  BOOST_TEST(number_of_flips(domain, x) == 0);
-  if(summary.is_valid()) {
-    BOOST_TEST(summary.energy <= summary.energy_initial);
-    BOOST_TEST(std::abs(summary.energy - symmetric_dirichlet<2>(domain, x)) <= 1e-11 * summary.energy);
-  } else {
-    check_failed(summary, FFM::Status::line_search_failed);
+  BOOST_TEST(!summary.converged());
+  BOOST_TEST(last == summary.energy);
+  BOOST_TEST(summary.energy < summary.energy_initial);
+  if(!summary.is_valid())
+    return check_failed(summary, FFM::Status::line_search_failed);
+  check_valid(summary, FFM::Status::iteration_limit);
+  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
+    const Eigen::Vector2d s = domain.jacobian(e, x).jacobiSvd().singularValues();
+    BOOST_TEST((s[1] <= 0.97 || s[0] >= 1.03));
   }
 }
 

@@ -179,8 +179,9 @@ BOOST_AUTO_TEST_CASE(every_status_has_a_code)
                {Status::out_of_memory, SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM},
                {Status::not_planar, SMP::ERROR_WRONG_PARAMETER},
                {Status::flips_remain, SMP::ERROR_NO_1_TO_1_MAPPING},
-               {Status::not_bijective, SMP::ERROR_NO_1_TO_1_MAPPING}};
-  BOOST_TEST(std::size(cases) == static_cast<std::size_t>(Status::not_bijective) + 1);
+               {Status::not_bijective, SMP::ERROR_NO_1_TO_1_MAPPING},
+               {Status::interrupted, SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM}};
+  BOOST_TEST(std::size(cases) == static_cast<std::size_t>(Status::interrupted) + 1);
   for(const auto& c : cases) {
     BOOST_TEST(FFM::to_error_code(c.status) == c.code);
     BOOST_TEST(FFM::is_valid_map(c.status) == (c.code == SMP::OK));

@@ -500,11 +500,11 @@ BOOST_FIXTURE_TEST_CASE(smallest_meshes, Fixture)
   check_success(any_border(), 1, 1e-12);
 }
 
-BOOST_AUTO_TEST_CASE(files_of_faulty_meshes)
+BOOST_AUTO_TEST_CASE(files_of_faulty_meshes, *boost::unit_test::label("needs_data"))
 {
   const std::string folder = FLIP_FREE_MAPS_SHARED_DATA_DIR;
   if(!std::ifstream(folder + "/bad_annulus.off")) {
-    BOOST_TEST_MESSAGE("skipped: there is no folder " << folder);
+    skip_case("there are no meshes in " + folder);
     return;
   }
   const struct

@@ -377,14 +377,14 @@ BOOST_AUTO_TEST_CASE(filled_holes_are_disks)
   }
 }
 
-BOOST_AUTO_TEST_CASE(files)
+BOOST_AUTO_TEST_CASE(files, *boost::unit_test::label("needs_data"))
 {
   const std::string folder = FLIP_FREE_MAPS_SHARED_DATA_DIR;
   for(const char* name : {"holes_cat2", "holes_sheet5", "holes_sheet12", "holes_spot3"}) {
     Example example{Soup()};
     std::ifstream in(folder + "/" + name + ".off");
     if(!in || !CGAL::IO::read_OFF(in, example.mesh)) {
-      BOOST_TEST_MESSAGE("skipped: no " << name << " in " << folder);
+      skip_case("there is no " + std::string(name) + " in " + folder);
       continue;
     }
     const FFM::Summary summary = FFM::parameterize(example.mesh, example.border(), example.uv);

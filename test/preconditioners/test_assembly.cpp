@@ -314,6 +314,8 @@ void check_concurrency(const Distorted_example<D>& example)
     BOOST_TEST(are_same_bits(parallel.gradient, sequential.gradient));
     BOOST_TEST(are_same_bits(parallel.matrix, sequential.matrix));
   }
+#else
+  test_support::skip_case("built without oneTBB: there is one thread only");
 #endif
 }
 
@@ -357,7 +359,7 @@ BOOST_AUTO_TEST_CASE(energy_of_bad_positions)
   check_energy_of_bad_positions<3>();
 }
 
-BOOST_AUTO_TEST_CASE(results_do_not_depend_on_concurrency)
+BOOST_AUTO_TEST_CASE(results_do_not_depend_on_concurrency, *boost::unit_test::label("needs_tbb"))
 {
   check_concurrency<2>(Distorted_example<2>(70, 50));
   check_concurrency<3>(Distorted_example<3>(12, 10, 8));

@@ -7,60 +7,9 @@
 # Author(s)     : The Flip_free_maps authors
 
 # The program for the command line, on good and bad files of every kind: exit codes, reports, pictures and traces.
-# Usage: test_program.sh PROGRAM DATA_DIRECTORY, where the directory need not exist.
+# Usage: test_program.sh PROGRAM
 
-set -u
-program=$1
-data=${2:-}
-directory=$(mktemp -d) || exit 1
-trap 'rm -rf "$directory"' EXIT
-cd "$directory" || exit 1
-failures=0
-checks=0
-
-fail()
-{
-  echo "FAILED: $*" >&2
-  failures=$((failures + 1))
-}
-
-check()
-{
-  checks=$((checks + 1))
-  "${@:2}" || fail "$1"
-}
-
-# expect CODE ARGUMENTS...: runs the program; every error has a line that begins with the program's name.
-expect()
-{
-  local code=$1
-  shift
-  "$program" "$@" > out.txt 2> err.txt
-  local got=$?
-  checks=$((checks + 1))
-  if [ $got -ne "$code" ]; then
-    fail "exit code $got instead of $code: $* ($(head -n 1 err.txt))"
-  elif [ "$code" -gt 2 ] && [ "$1" != measure ]; then
-    grep -q '^flip_free_maps: ' err.txt || fail "no message: $*"
-  fi
-}
-
-# value FILE KEY: a number or a string of a report.
-value()
-{
-  sed -n "s/^ *\"$2\": *\"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}\$/\1/p" "$1" | head -n 1
-}
-
-# close A B TOLERANCE
-close()
-{
-  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if(d < 0) d = -d; exit !(a != "" && b != "" && d <= t) }'
-}
-
-less()
-{
-  awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "" && b != "" && a + 0 < b + 0) }'
-}
+. "$(dirname -- "$0")/checks.sh"
 
 # ---------------------------------------------------------------------------------------------------------------------
 # Meshes
@@ -243,9 +192,12 @@ head -n 20 bar.mesh > broken.mesh
 # The command line
 
 expect 0 --help
-for code in '11 start_not_flip_free' '17 file_error' '19 not_planar' '20 flips_remain' '21 not_bijective'; do
-  check "the exit code $code is documented" grep -q "$code" out.txt
-done
+tr -s ' \n' ' ' < out.txt > help.txt
+check "exit codes are documented" grep -q "; 2 wrong command line; 3 empty_mesh; 4 not_triangular; 5 no_border; 6 several_components; \
+7 not_a_disk; 8 non_manifold; 9 degenerate_rest_element; 10 non_finite_input; 11 start_not_flip_free; 12 unreachable_constraints; \
+13 linear_solver_failed; 14 line_search_failed; 15 result_not_representable; 16 invalid_option; 17 file_error; 18 out_of_memory; \
+19 not_planar; 20 flips_remain; 21 not_bijective; 22 interrupted" help.txt
+check "exit codes of signals are documented" grep -q "130, 143 ended by Ctrl-C or SIGTERM" help.txt
 expect 0 --version
 check "version" grep -q '[0-9]\.[0-9]\.[0-9]' out.txt
 expect 0 parameterize --help
@@ -266,6 +218,12 @@ expect 2 parameterize sheet.off --threads many
 expect 2 parameterize sheet.off --tolerance -1
 expect 2 parameterize sheet.off --max-iterations -1
 expect 2 parameterize sheet.off --time-limit 0
+for option in --tolerance --time-limit --energy-parameter --memory-budget; do
+  expect 2 parameterize sheet.off $option nan
+done
+expect 2 unwrap sheet.off --max-distortion nan
+expect 2 unwrap sheet.off --margin -nan
+expect 2 deform bar.off --handles index_2.txt --tikhonov nan
 expect 2 measure
 expect 0 deform --help
 expect 2 deform
@@ -500,29 +458,6 @@ expect 17 measure no_such_file.obj
 # ---------------------------------------------------------------------------------------------------------------------
 # Atlases
 
-# total FILE KEY: a number or a string of a report of `unwrap`, not that of a chart.
-total()
-{
-  sed -n "s/^  \"$2\": *\"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}\$/\1/p" "$1"
-}
-
-# atlas FILE OPTIONS...: unwraps a file; the atlas is without flips and overlaps, and within the unit square.
-atlas()
-{
-  rm -f atlas.obj measured.json
-  expect 0 unwrap "$@" -o atlas.obj --json atlas.json
-  expect 0 measure atlas.obj --json measured.json
-  check "$*: no flips" test "$(value measured.json flips)" = 0
-  check "$*: bijective" test "$(value measured.json bijective)" = true
-  check "$*: within the unit square" awk '
-    $1 == "vt" { ++n; for(k = 2; k <= 3; ++k) if($k < 0 || $k > 1) wrong = 1 }
-    END { exit wrong || !n }' atlas.obj
-  if [ "$(total atlas.json status)" = success ]; then
-    # Each chart has the scale of the surface, which need not be the best for parts that keep the map of a whole.
-    check "$*: energy" close "$(total atlas.json energy)" "$(value measured.json energy_of_similarity)" 1e-4
-  fi
-}
-
 for file in closed.off components.off frame.off handle.off cylinder.off sheet.off sheet.stl one.off; do
   atlas $file
 done
@@ -548,7 +483,7 @@ for unit in e-200 e200; do
   expect 0 unwrap unit.off --json atlas.json
   check "mean energy at 1$unit" close "$(total atlas.json energy)" "$mean" 1e-9
 done
-atlas handle.off --margin 0.1 --no-rotation --time-limit 0.000001
+wanted=1 atlas handle.off --margin 0.1 --no-rotation --time-limit 0.000001
 check "a limit is valid" test "$(total atlas.json status)" = time_limit
 atlas sheet.off --svg atlas.svg
 check "picture of an atlas" grep -q '<svg' atlas.svg
@@ -596,11 +531,6 @@ check "nothing to repair" grep -q '"repairs": "nothing' atlas.json
 expect 3 unwrap nan.ply --repair
 expect 17 unwrap truncated.off --repair
 expect 17 unwrap no_such_file.off
-if [ -n "$data" ] && [ -e "$data/closed_g0_spot_low.off" ]; then
-  for file in closed_g0_spot_low closed_g12_boot10k holes_spot3 holes_g1_torus2; do
-    atlas "$data/$file.off"
-  done
-fi
 
 # Polygons that two sides of a sheet share, that meet in two edges, that cross themselves; an edge that is flipped.
 printf 'OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n4 3 2 1 0\n4 2 5 4 1\n' > two_sided.off
@@ -1011,6 +941,12 @@ check "errors give no shape" test ! -e bad.off
 # ---------------------------------------------------------------------------------------------------------------------
 # Bad files: code, status and the file
 
+printf 'OFF\n3 1 0\n0 0 0\ninf 0 0\n0 1 0\n3 0 1 2\n' > inf.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n' > negative.off
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 3\n' > count.off
+printf 'OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n' > collinear.off
+printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n4 0 1 2 3\n3 1 4 2\n' > mixed.off
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 3\n3 0 1 2\n' > repeated.off
 while read -r code status file; do
   rm -f bad.json bad.obj
   expect "$code" parameterize "$file" -o bad.obj --json bad.json
@@ -1038,7 +974,27 @@ done << 'END'
 17 file_error letter.off
 17 file_error elephant.ply
 17 file_error no_such_file.off
+17 file_error inf.off
+17 file_error negative.off
+17 file_error count.off
+9 degenerate_rest_element collinear.off
+4 not_triangular mixed.off
+8 non_manifold repeated.off
+6 several_components unwelded.off
 END
+
+# Unusual files that are none the less good.
+awk 'NF == 3 && NR > 2 { print $1 + 1e6, $2 - 1e6, $3 + 1e6; next } { print }' sheet.off > remote.off
+awk 'NF == 3 && NR > 2 { print $1 * 1e150, $2 * 1e150, $3 * 1e150; next } { print }' sheet.off > huge.off
+awk 'NF == 3 && NR > 2 { print $1 * 1e-150, $2 * 1e-150, $3 * 1e-150; next } { print }' sheet.off > minute.off
+awk 'NR == 2 { print $1 + 1, $2, $3; next } NR == 3 { print; print "5 5 5"; next } $1 == 3 && NF == 4 { for(k = 2; k <= 4; ++k) if($k > 0) ++$k } { print }' \
+  sheet.off > isolated.off
+printf 'OFF\n5 4 0\n0 0 0\n1 1e-14 0\n2 0 0\n1 1 0\n1 -1 0\n3 0 1 3\n3 1 2 3\n3 0 2 1\n3 0 4 2\n' > thin.off
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 3\n3 0 1 2\n3 2 1 3\n' > two.off
+for file in remote huge minute isolated thin two one; do
+  expect 0 parameterize $file.off -o good.obj
+  expect 0 measure good.obj
+done
 expect 0 parameterize frame.off -o frame.obj --json frame.json
 expect 0 measure frame.obj
 expect 0 parameterize frame.off --bijective --json frame.json
@@ -1090,57 +1046,32 @@ if [ -c /dev/full ]; then
 fi
 
 # ---------------------------------------------------------------------------------------------------------------------
-# The collection of faulty and borderline files
+# Ends
 
-if [ -n "$data" ] && [ -e "$data/bad_annulus.off" ]; then
-  while read -r code file; do
-    rm -f bad.obj
-    expect "$code" parameterize "$data/$file" -o bad.obj
-    if [ "$code" = 0 ]; then
-      expect 0 measure bad.obj
-    else
-      check "$file gives no map" test ! -e bad.obj
-    fi
-  done << 'END'
-0 bad_annulus.off
-0 bad_cgal_issue_4290.off
-5 bad_closed_cube.off
-5 bad_closed_tetrahedron.off
-9 bad_collinear_triangle.off
-8 bad_degenerate_indices.off
-6 bad_duplicated_vertices.off
-17 bad_empty.off
-0 bad_far_from_origin.off
-3 bad_header_only.off
-0 bad_huge_coordinates.off
-8 bad_inconsistent_orientation.off
-17 bad_index_out_of_range.off
-17 bad_inf.off
-0 bad_isolated_vertex.off
-4 bad_mixed_polygons.off
-8 bad_moebius.off
-17 bad_nan.off
-10 bad_nan.ply
-0 bad_near_degenerate.off
-17 bad_negative_index.off
-3 bad_no_faces.off
-8 bad_nonmanifold_edge.off
-8 bad_nonmanifold_vertex.off
-17 bad_not_a_mesh.off
-8 bad_one_flipped_face.off
-4 bad_quads.off
-8 bad_repeated_face.off
-0 bad_single_triangle.off
-0 bad_tiny_coordinates.off
-17 bad_truncated.off
-6 bad_two_components.off
-0 bad_two_triangles.off
-17 bad_wrong_count.off
-9 bad_zero_area_triangle.off
-END
-else
-  echo "skipped: no meshes in '$data'"
-fi
+# Limits of time: what is valid is written, and the exit code says that the limit ended it.
+expect 1 parameterize sheet.off --time-limit 0.000001 -o limited.obj --json limited.json
+check "a limit is told" test "$(value limited.json status)" = time_limit
+expect 0 measure limited.obj
+expect 1 deform bar.off --handles index_2.txt --time-limit 0.000001 -o limited.off --json limited.json
+check "handles on their way are told" grep -q 'before the fixed vertices reached' limited.json
+check "the shape on the way is written" test -s limited.off
 
-echo "$checks checks, $failures failed"
-[ "$failures" -eq 0 ]
+# Ctrl-C and SIGTERM: likewise, within a second or so. A run that would take long by its tolerance.
+grid off 100 100 > long.off
+for signal in INT TERM; do
+  if [ $signal = INT ] && trap -p INT | grep -q "''"; then
+    echo "skipped: SIGINT is ignored here"
+    continue
+  fi
+  rm -f stopped.obj
+  code=130
+  [ $signal = INT ] || code=143
+  timeout --preserve-status --signal=$signal --kill-after=20 3 "$program" parameterize long.off --method aqp --tolerance 0 \
+    --max-iterations 100000000 -o stopped.obj --json stopped.json > out.txt 2> err.txt
+  check "SIG$signal has an exit code of its own" test $? -eq $code
+  check "SIG$signal: status" test "$(value stopped.json status)" = stopped_by_observer
+  expect 0 measure stopped.obj
+done
+check "no temporary files" test -z "$(find . -name '*.tmp')"
+
+finish

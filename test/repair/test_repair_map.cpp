@@ -207,14 +207,32 @@ BOOST_AUTO_TEST_CASE(uv_map_of_a_mesh)
   BOOST_TEST(symmetric_dirichlet<2>(domain, x) == summary.energy, boost::test_tools::tolerance(1e-8));
 }
 
-BOOST_AUTO_TEST_CASE(conformal_map_that_collapsed)
+// Of a long tube a conformal map leaves next to nothing, and rounding flips most of that.
+BOOST_AUTO_TEST_CASE(tube_that_collapsed)
+{
+  const int around = 12, rings = 18;
+  const FFM::Simplicial_domain<2> domain = make_domain(closed_tube(around, rings));
+  FFM::Positions<2> start = tutte_start(domain);
+  Random random(32);
+  for(Eigen::Index v = 0; v < start.cols(); ++v)
+    start.col(v) += 2e-3 * Eigen::Vector2d(random(-1, 1), random(-1, 1));
+  BOOST_TEST_REQUIRE(number_of_flips(domain, start) > 60);
+  FFM::Repair_options options;
+  options.use_second_method = false;
+  options.polish = false;
+  const FFM::Summary summary = FFM::repair_map(domain, start, {}, options, Traits());
+  BOOST_TEST(summary.is_valid(), summary.message);
+  BOOST_TEST(number_of_flips(domain, start) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(conformal_map_that_collapsed, *boost::unit_test::label("needs_data"))
 {
   // The antlers of a deer, of which a conformal map leaves next to nothing:
   // the splitting scheme gets by without the second method.
   const std::string folder = std::string(FLIP_FREE_MAPS_SHARED_DATA_DIR) + "/cases/uvrepair/";
   std::ifstream mesh(folder + "deer.obj"), map(folder + "deer_lscm.uv");
   if(!mesh || !map) {
-    BOOST_TEST_MESSAGE("skipped: " << folder << " has no deer");
+    skip_case("there is no deer in " + folder);
     return;
   }
   Surface deer;
@@ -247,7 +265,8 @@ BOOST_AUTO_TEST_CASE(conformal_map_that_collapsed)
     FFM::Positions<2> x = Eigen::Rotation2Dd(angle).toRotationMatrix() * start;
     const FFM::Summary summary = FFM::repair_map(domain, x, {}, options, Traits());
     BOOST_TEST(summary.is_valid());
-    BOOST_TEST(summary.iterations < 1500);
+    // The authors' program takes 702.
+    BOOST_TEST(summary.iterations <= 2 * 702);
     BOOST_TEST(number_of_flips(domain, x) == 0);
   }
 }

@@ -145,8 +145,9 @@ void check_decrease(const FFM::Simplicial_domain<D>& domain, const FFM::Position
     if(!is_enough)
       continue;
     // The dual variables of the start, 0, do not belong to its stretches yet.
+    // The value is a sum over elements, whose rounding is not that of the decrease.
     for(int i = 2; i <= iterations; ++i)
-      BOOST_TEST(values[i] <= values[i - 1] + 1e-13 * std::abs(values[i - 1]), "iteration " << i);
+      BOOST_TEST(values[i] <= values[i - 1] + 1e-11 * std::abs(values[i - 1]), "iteration " << i);
     BOOST_TEST(values.back() < values.front() - 1e-3 * std::abs(values.front()));
     BOOST_TEST(run.primal_error() < 0.1 * first_error + 1e-3);
   }

@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(several_components)
   BOOST_TEST(summary.energy < 1.1);
 }
 
-BOOST_AUTO_TEST_CASE(threads)
+BOOST_AUTO_TEST_CASE(threads, *boost::unit_test::label("needs_tbb"))
 {
   const FFM::Simplicial_domain<2> domain = make_domain(bumpy_patch(30, 30));
   const FFM::Positions<2> start = tutte_start(domain);
@@ -215,5 +215,7 @@ BOOST_AUTO_TEST_CASE(threads)
     BOOST_TEST(parallel.energy == sequential.energy);
     BOOST_TEST(std::memcmp(x.data(), expected.data(), x.size() * sizeof(double)) == 0);
   }
+#else
+  test_support::skip_case("built without oneTBB: there is one thread only");
 #endif
 }

@@ -7,4 +7,32 @@
 
 // The framework of Boost.Test, compiled once for all tests: in each of them it would take longer than most.
 
+#define BOOST_TEST_NO_MAIN
 #include <boost/test/included/unit_test.hpp>
+
+#include <iostream>
+#include <string>
+
+namespace {
+
+bool has_skipped = false;
+
+} // namespace
+
+namespace test_support {
+
+void skip_case(const std::string& why)
+{
+  std::cout << "Skipped: " << why << std::endl;
+  has_skipped = true;
+}
+
+} // namespace test_support
+
+boost::unit_test::test_suite* init_unit_test_suite(int argc, char* argv[]); // in the file of each test
+
+int main(int argc, char* argv[])
+{
+  const int code = boost::unit_test::unit_test_main(&init_unit_test_suite, argc, argv);
+  return code == 0 && has_skipped ? 77 : code;
+}

@@ -31,14 +31,14 @@ using Method_traits =
 struct Outcome
 {
   FFM::Summary summary;
-  FFM::Positions<2> x;
+  FFM::Positions<2> start, x;
 };
 
 template <typename Traits>
 Outcome minimized(const FFM::Simplicial_domain<2>& domain, const FFM::Positions<2>& start, Traits traits)
 {
   Outcome outcome;
-  outcome.x = start;
+  outcome.start = outcome.x = start;
   FFM::Map_minimizer<2, Traits> minimizer(domain, traits);
   outcome.summary = minimizer.minimize(outcome.x);
   BOOST_TEST_MESSAGE(outcome.summary);

@@ -17,4 +17,14 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <string>
+
+namespace test_support {
+
+// Says why a case cannot do here what it is for. Unless something fails, the program then ends with the code that ctest counts as
+// skipped. Such cases have a label `needs_...`: those of one label are a test of their own.
+void skip_case(const std::string& why);
+
+} // namespace test_support
+
 #endif // CGAL_FLIP_FREE_MAPS_TEST_SUPPORT_UNIT_TEST_H

@@ -38,16 +38,23 @@ public:
       return refuse(reason);
     FFM::Distortion_report report;
     Atlas atlas;
+    bool is_bijective = false;
+    std::string overlap;
+    std::size_t number_of_islands = 0;
     run_guarded(
-      Method_arguments(), [&] { measure(atlas, report); },
+      Method_arguments(),
+      [&] {
+        measure(atlas, report);
+        if(report.status != Status::success)
+          return;
+        is_bijective = FFM::is_bijective(atlas.mesh, &overlap);
+        number_of_islands = islands(atlas).size();
+      },
       [&](Status status, const std::string& message) {
         report.status = status;
         report.message = message;
       });
     const bool is_measured = report.status == Status::success;
-    std::string overlap;
-    const bool is_bijective = is_measured && FFM::is_bijective(atlas.mesh, &overlap);
-    const std::size_t number_of_islands = is_measured ? islands(atlas).size() : 0;
     nlohmann::json json = report;
     json["bijective"] = is_bijective;
     json["islands"] = number_of_islands;

@@ -10,7 +10,7 @@
 #include "../report.h"
 #include "../splitting.h"
 
-#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/repair_map.h>
 
 #include <algorithm>
@@ -133,7 +133,6 @@ private:
   void repair(FFM::Summary& summary)
   {
     check_folders(m_files);
-    const double begin = FFM::internal::wall_seconds();
     Surface surface;
     read_surface(m_layout.input, true, surface);
     Atlas atlas = make_atlas(surface, surface.images);
@@ -142,22 +141,29 @@ private:
     const auto all_islands = islands(atlas);
     std::size_t repaired = 0, largest = 0;
     std::int64_t flips = 0;
+    bool is_cut_short = false;
+    Status limit = Status::success;
     for(const auto& triangles : all_islands) {
       if(std::all_of(triangles.begin(), triangles.end(),
                      [&](std::size_t i) { return image_orientation(atlas.mesh, i) == CGAL::LEFT_TURN; }))
         continue;
       Island island = make_island(atlas.mesh, triangles, 1);
       island = make_island(atlas.mesh, triangles, usual_scale(island));
-      FFM::Summary part = repair(island, reporter, FFM::internal::wall_seconds() - begin);
+      FFM::Summary part = repair(island, reporter);
       if(!part.is_valid()) {
         if(all_islands.size() > 1)
           part.message += ", in the island of face number " + std::to_string(atlas.polygons[triangles[0]]);
         summary = part;
-        return;
+        if(repaired == 0 || FFM::internal::deadline_status() == Status::success)
+          return;
+        is_cut_short = true;
+        break;
       }
       for(std::size_t v = 0; v < island.texture.size(); ++v)
         atlas.mesh.texture[island.texture[v]] = {{island.images[v].x(), island.images[v].y()}};
       ++repaired;
+      if(part.status != Status::success)
+        limit = part.status;
       flips += part.flips;
       if(triangles.size() > largest) {
         largest = triangles.size();
@@ -165,30 +171,32 @@ private:
       }
     }
     reporter->finish();
-    summary.flips = flips;
-    if(repaired == 0) {
+    if(is_cut_short)
+      summary.message += "; " + std::to_string(repaired) + " islands are repaired, the others as they were";
+    else
+      summary.flips = flips;
+    if(!is_cut_short && repaired == 0) {
       summary.status = Status::success;
       summary.message = "no face is flipped, nothing had to be repaired";
-    } else if(all_islands.size() > 1)
+    } else if(!is_cut_short && all_islands.size() > 1)
       summary.message += "; repaired " + std::to_string(repaired) + " of " + std::to_string(all_islands.size()) +
                          " islands, the largest of which has these figures";
+    if(summary.is_valid() && limit != Status::success)
+      summary.status = limit;
     Corner_images images = surface.images;
     copy_images(atlas, images);
     write_layout(m_layout, surface, std::move(images), summary);
   }
 
   // Islands keep their scale and, as nearly as they can, their place.
-  FFM::Summary repair(Island& island, const std::shared_ptr<Reporter>& reporter, double seconds) const
+  FFM::Summary repair(Island& island, const std::shared_ptr<Reporter>& reporter) const
   {
-    Method_arguments limits = m_method;
-    if(limits.time_limit > 0)
-      limits.time_limit = (std::max)(1e-6, limits.time_limit - seconds);
     FFM::Repair_options options;
     options.polish = !m_no_polish;
     options.fix_border = m_fix_border;
     FFM::Flip_free_map_traits<> traits;
-    set_limits(limits, options);
-    set_options(limits, reporter, traits.options);
+    set_limits(m_method, options);
+    set_options(m_method, reporter, traits.options);
     std::vector<Kernel::Point_2> images = island.images;
     const FFM::Summary summary = FFM::repair_map(island.points, island.triangles, images,
                                                  FFM::parameters::repair_options(options, FFM::parameters::map_traits(traits)));

@@ -22,7 +22,6 @@
 #include <map>
 #include <memory>
 #include <sstream>
-#include <unistd.h>
 #include <utility>
 
 namespace program {
@@ -149,7 +148,7 @@ private:
     }
     if(m_limits.time_limit > 0)
       options.max_seconds = m_limits.time_limit;
-    const bool is_quiet = m_limits.quiet || !isatty(STDERR_FILENO);
+    const bool is_quiet = !shows_progress(m_limits);
     if(!is_quiet)
       options.observer = [](const FFM::Unwrap_progress& progress) {
         std::fprintf(stderr, "\rchart %d of %d  %.0f %% of the faces  %.1f s   ", progress.charts_done + 1, progress.charts,

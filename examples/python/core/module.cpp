@@ -27,7 +27,7 @@ namespace FFM = CGAL::Flip_free_maps;
 std::vector<std::string> failures()
 {
   std::vector<std::string> names;
-  for(int s = 0; s <= static_cast<int>(FFM::Status::not_bijective); ++s)
+  for(int s = 0; s <= static_cast<int>(FFM::Status::interrupted); ++s)
     if(!FFM::is_valid_map(static_cast<FFM::Status>(s)))
       names.push_back(FFM::status_name(static_cast<FFM::Status>(s)));
   return names;

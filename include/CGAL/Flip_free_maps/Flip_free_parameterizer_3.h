@@ -56,6 +56,7 @@ inline CGAL::Surface_mesh_parameterization::Error_code to_error_code(Status stat
     return SMP::ERROR_NO_TOPOLOGICAL_DISC;
   case Status::linear_solver_failed:
   case Status::out_of_memory:
+  case Status::interrupted:
     return SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   case Status::start_not_flip_free:
   case Status::unreachable_constraints:

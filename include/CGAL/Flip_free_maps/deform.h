@@ -19,6 +19,7 @@
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -86,7 +87,8 @@ public:
   auto& options() { return m_minimizer.options(); }
 
   /// Moves the handles to `targets`, a column for each, and optimises the shape. On the way there no element flips, however far
-  /// the handles go. Handles are exactly at their targets afterwards.
+  /// the handles go. Handles are exactly at their targets afterwards, unless the time was up, or the observer ended the move, before
+  /// they arrived: then they are on their way, and the message says so.
   ///
   /// \returns what happened; `unreachable_constraints` if no path was found, `non_finite_input` for targets that are no numbers,
   ///   `invalid_option` if a handle that is given twice has two targets.
@@ -124,7 +126,8 @@ public:
     // Scaling rounds; the result is checked in the numbers that are handed out.
     Positions<D> result = (m_domain.scale * x).colwise() + m_domain.origin;
     for(std::size_t i = 0; i < m_handles.size(); ++i)
-      result.col(m_handles[i]) = targets.col(i);
+      if(x.col(m_handles[i]) == all.col(m_handles[i]))
+        result.col(m_handles[i]) = targets.col(i);
     internal::Element_coloring schedule;
     schedule.build(m_domain.elements, m_domain.number_of_vertices);
     const std::int64_t flips = internal::count_flips<typename Traits::Kernel, typename Traits::Concurrency_tag>(m_domain, schedule, result);
@@ -157,6 +160,7 @@ Summary deform_planar(Load&& load, const Handles& handles, VertexPointMap2 resul
   Summary summary;
   Face_graph_domain<TriangleMesh> graph;
   Positions<2> x;
+  const Deadline deadline(traits.options.max_seconds);
   const auto solve = [&] {
     const Simplicial_domain<2>& domain = graph.domain();
     x = (domain.scale * x).colwise() + domain.origin;
@@ -164,7 +168,7 @@ Summary deform_planar(Load&& load, const Handles& handles, VertexPointMap2 resul
     if constexpr(Has_parameter<NamedParameters, Start_map_tag>::value) {
       summary.start = "given";
       for(std::int32_t v = 0; v < domain.number_of_vertices; ++v) {
-        const auto& p = get(CGAL::parameters::get_parameter(np, start_map_tag), graph.vertices()[v]);
+        const auto p = get(CGAL::parameters::get_parameter(np, start_map_tag), graph.vertices()[v]);
         x.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]);
       }
     }

@@ -18,11 +18,14 @@
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -61,13 +64,15 @@ Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex>& volume, c
     summary.status = status;
     summary.message = message;
   };
+  const Deadline deadline(traits.options.max_seconds);
   const auto solve = [&] {
     if(domain.number_of_elements() == 0)
       return fail(Status::empty_mesh, "the domain holds no tetrahedra");
     if(volume.number_of_components() > 1)
       return fail(Status::several_components, "the tetrahedra form several components");
-    if(!(options.soft_weight >= 0) || (options.start.cols() != 0 && options.start.cols() != domain.number_of_vertices))
-      return fail(Status::invalid_option, "soft_weight must not be negative, and a start must have a column for each vertex");
+    if(!(options.soft_weight >= 0) || !std::isfinite(options.soft_weight) ||
+       (options.start.cols() != 0 && options.start.cols() != domain.number_of_vertices))
+      return fail(Status::invalid_option, "soft_weight must be finite and not negative, and a start must have a column for each vertex");
     Position_constraints<3> constraints;
     x = domain.rest_points;
     summary.start = options.start.cols() == 0 ? "rest shape" : "given";
@@ -92,6 +97,8 @@ Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex>& volume, c
         return fail(Status::invalid_option, TWO_TARGETS);
     typename Traits::template Minimizer<3, Traits> minimizer(domain, traits, constraints);
     minimizer.move_fixed_vertices(x, targets, summary);
+    const auto is_on_its_way = [&](const auto& place) { return x.col(place.first) != targets.col(place.first); };
+    exact_places.erase(std::remove_if(exact_places.begin(), exact_places.end(), is_on_its_way), exact_places.end());
   };
   run_map(summary, load, solve, [&] {
     std::string message;

@@ -48,8 +48,8 @@ Textured_mesh textured_mesh(const TriangleMesh& mesh, VertexUVMap uv_map, const 
       const auto v = target(h, mesh);
       const auto entry = numbers.emplace(v, static_cast<int>(result.points.size()));
       if(entry.second) {
-        const auto& p = get(vertex_points, v);
-        const auto& q = get(uv_map, v);
+        const auto p = get(vertex_points, v);
+        const auto q = get(uv_map, v);
         result.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
         result.texture.push_back({CGAL::to_double(q[0]), CGAL::to_double(q[1])});
       }

@@ -46,8 +46,8 @@ Distortion_report measure_faces(const TriangleMesh& mesh, const VertexPointMap& 
     Eigen::Matrix<double, 2, 3> image;
     auto g = h;
     for(int k = 0; k < 3; ++k, g = next(g, mesh)) {
-      const auto& p = get(vertex_points, target(g, mesh));
-      const auto& q = get(uv_map, target(g, mesh));
+      const auto p = get(vertex_points, target(g, mesh));
+      const auto q = get(uv_map, target(g, mesh));
       points.col(k) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]);
       image.col(k) << CGAL::to_double(q[0]), CGAL::to_double(q[1]);
     }
@@ -162,7 +162,7 @@ std::int64_t number_of_flipped_elements(const TriangleMesh& mesh, VertexUVMap uv
     bool is_finite = true;
     auto h = halfedge(face, mesh);
     for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
-      const auto& q = get(uv_map, target(h, mesh));
+      const auto q = get(uv_map, target(h, mesh));
       p[k] = Kernel::Point_2(CGAL::to_double(q[0]), CGAL::to_double(q[1]));
       is_finite = is_finite && std::isfinite(p[k].x()) && std::isfinite(p[k].y());
     }

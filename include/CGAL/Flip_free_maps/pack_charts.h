@@ -66,7 +66,7 @@ Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, cons
     std::array<Halfedge, 3> corner;
     auto h = halfedge(face, mesh);
     for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
-      const auto& p = get(uv_map, h);
+      const auto p = get(uv_map, h);
       element[k] = numbers(target(h, mesh), CGAL::to_double(p[0]), CGAL::to_double(p[1]));
       corner[k] = h;
     }

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/core/flatten_disk.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
+#include <CGAL/Flip_free_maps/domains/internal/longest_border.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
@@ -117,7 +118,7 @@ Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<Tr
 
   const auto given = [&](auto v, auto& p) {
     if constexpr(internal::Has_parameter<NamedParameters, internal::Start_map_tag>::value) {
-      const auto& q = get(get_parameter(np, internal::start_map_tag), v);
+      const auto q = get(get_parameter(np, internal::start_map_tag), v);
       p << CGAL::to_double(q[0]), CGAL::to_double(q[1]);
     }
     static_cast<void>(v);
@@ -198,6 +199,34 @@ template <typename TriangleMesh, typename VertexUVMap>
 Summary parameterize(const TriangleMesh& mesh, typename internal::Halfedge_of<TriangleMesh>::type border_halfedge, VertexUVMap uv_map)
 {
   return parameterize(mesh, border_halfedge, uv_map, internal::Default_method(), CGAL::parameters::default_values());
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same for the component of the longest border, which is the outer one. The status is `no_border` if there is none.
+template <typename TriangleMesh, typename VertexUVMap, typename T, typename Tag, typename Base,
+          std::enable_if_t<!internal::Is_array<TriangleMesh>::value, int> = 0>
+Summary parameterize(const TriangleMesh& mesh, VertexUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vertex_points =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+  const auto border = internal::longest_border(mesh, vertex_points);
+  if(!border.has_value()) {
+    Summary summary;
+    summary.status = num_faces(mesh) == 0 ? Status::empty_mesh : Status::no_border;
+    summary.message = num_faces(mesh) == 0 ? "the mesh has no faces" : "the surface is closed; it must be cut open, as by cut_to_disk()";
+    return summary;
+  }
+  return parameterize(mesh, *border, uv_map, np);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with the default method and default named parameters.
+template <typename TriangleMesh, typename VertexUVMap, std::enable_if_t<!internal::Is_array<TriangleMesh>::value, int> = 0>
+Summary parameterize(const TriangleMesh& mesh, VertexUVMap uv_map)
+{
+  return parameterize(mesh, uv_map, CGAL::parameters::default_values());
 }
 
 /// \ingroup PkgFlipFreeMapsRef

@@ -16,6 +16,7 @@
 #include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/seams/find_seams.h>
 #include <CGAL/Flip_free_maps/seams/meet_seam_constraints.h>
 
@@ -65,6 +66,7 @@ Seam_summary parameterize_with_seams(const SeamMesh& mesh, typename boost::graph
   Seam_summary summary;
   Face_graph_domain<SeamMesh> graph;
   Positions<2> x;
+  const Deadline deadline(traits.options.max_seconds);
   const auto solve = [&] {
     const Simplicial_domain<2>& domain = graph.domain();
     Traits used = traits;
@@ -78,6 +80,10 @@ Seam_summary parameterize_with_seams(const SeamMesh& mesh, typename boost::graph
       const std::string start = summary.start;
       summary = meet_seam_constraints(domain, x, find_seams(mesh, graph, options.cone_curvature), options, used);
       summary.start = start;
+      if(summary.status == Status::time_limit || summary.status == Status::stopped_by_observer) {
+        summary.status = Status::interrupted;
+        summary.message += ", and the seams do not fit together yet";
+      }
     }
     summary.seconds.start += seconds;
   };

@@ -193,7 +193,7 @@ Summary repair_patch(Load&& load, VertexUVMap uv_map, const Repair_options& opti
     const Simplicial_domain<2>& domain = graph.domain();
     x.resize(2, domain.number_of_vertices);
     for(std::size_t v = 0; v < graph.vertices().size(); ++v) {
-      const auto& p = get(uv_map, graph.vertices()[v]);
+      const auto p = get(uv_map, graph.vertices()[v]);
       x.col(v) << CGAL::to_double(p[0]) / domain.scale, CGAL::to_double(p[1]) / domain.scale;
     }
     summary = repair_map(domain, x, Position_constraints<2>(), options, traits);

@@ -86,7 +86,7 @@ Status tetgen_failure(int code, std::string& message);
 ///
 /// \returns `success`, `invalid_option`, `empty_mesh`, `not_triangular`, `several_components`, `non_manifold` (not closed,
 ///   several sheets at a vertex, or self-intersecting), `degenerate_rest_element` (also for what is too small or too close for
-///   TetGen), `non_finite_input` or `out_of_memory`
+///   TetGen), `non_finite_input`, `out_of_memory` or `interrupted`, by a `Deadline`
 template <typename FaceGraph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& volume, const Tetgen_options& options, std::string& message,
                                   const NamedParameters& np = CGAL::parameters::default_values())
@@ -108,6 +108,10 @@ Status tetrahedralize_with_tetgen(const FaceGraph& surface, Tetrahedral_mesh& vo
   if(end == internal::Apart_end::not_started) {
     message = "no process could be started for TetGen";
     return Status::out_of_memory;
+  }
+  if(end == internal::Apart_end::interrupted) {
+    message = "TetGen was interrupted";
+    return Status::interrupted;
   }
   if(end == internal::Apart_end::crashed || code != 0)
     return internal::tetgen_failure(code, message);

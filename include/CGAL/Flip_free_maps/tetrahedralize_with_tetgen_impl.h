@@ -12,11 +12,13 @@
 #include <CGAL/Flip_free_maps/tetrahedralize_with_tetgen.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <iomanip>
+#include <locale>
 #include <new>
+#include <sstream>
 #include <string>
 
 namespace CGAL {
@@ -69,9 +71,10 @@ CGAL_FLIP_FREE_MAPS_INLINE std::string tetgen_switches(const Closed_surface& sur
 {
   std::string switches = "pYQ";
   const auto add = [&switches](char name, double value) {
-    char digits[64];
-    switches += name;
-    switches.append(digits, std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::fixed, 15).ptr);
+    std::ostringstream digits;
+    digits.imbue(std::locale::classic());
+    digits << std::fixed << std::setprecision(15) << value;
+    switches += name + digits.str();
   };
   if(options.radius_edge_ratio != 0)
     add('q', options.radius_edge_ratio);

@@ -73,7 +73,7 @@ void read_polygon_soup(const FaceGraph& mesh, const VertexPointMap& vertex_point
     do {
       const auto entry = numbers.emplace(target(h, mesh), static_cast<std::int32_t>(points.size()));
       if(entry.second) {
-        const auto& p = get(vertex_points, target(h, mesh));
+        const auto p = get(vertex_points, target(h, mesh));
         points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
       }
       corners.push_back(h);
@@ -397,7 +397,7 @@ Textured_mesh textured_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv_map, con
   std::unordered_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> numbers;
   for(const auto v : vertices(mesh)) {
     numbers.emplace(v, static_cast<int>(result.points.size()));
-    const auto& p = get(vertex_points, v);
+    const auto p = get(vertex_points, v);
     result.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   }
   internal::Corner_numbers<int> images;
@@ -405,7 +405,7 @@ Textured_mesh textured_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv_map, con
     std::array<int, 3> triangle, texture_triangle;
     auto h = halfedge(face, mesh);
     for(int k = 0; k < 3; ++k, h = next(h, mesh)) {
-      const auto& p = get(uv_map, h);
+      const auto p = get(uv_map, h);
       triangle[k] = numbers.at(target(h, mesh));
       texture_triangle[k] = images(triangle[k], CGAL::to_double(p[0]), CGAL::to_double(p[1]));
     }

@@ -69,10 +69,10 @@ struct Unwrap_options
   /// Otherwise all are taken, see `unwrap()`.
   bool strict = false;
   /// After this many seconds of wall-clock time no seam and no chart is improved any more. The result is as valid as any other,
-  /// but more distorted.
+  /// but more distorted; if its mean energy were 2 or more, or there are no charts within a second, the status is `interrupted`.
   double max_seconds = std::numeric_limits<double>::infinity();
-  /// Called while seams are planned, at the beginning of each chart, in each iteration, and while charts are packed. When it returns `false`,
-  /// the rest is done as if the time were up.
+  /// Called while seams are planned, at the beginning of each chart, in each iteration, and while charts are packed. When it
+  /// returns `false`, the rest is done as if the time were up. See `Deadline` for what is asked more often.
   std::function<bool(const Unwrap_progress&)> observer;
 
   /// Checks the ranges of all fields; when one is off, says which in `*message` (if given) and returns `false`.

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/domains/internal/Surface_view.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,7 @@ void unwrap_polygons_as(const Atlas_request& request, const Unwrap_options& opti
                         Unwrap_summary& summary)
 {
   const double begin = wall_seconds();
+  const Deadline deadline(options.max_seconds);
   const Polygon_soup& soup = request.surface;
   summary.faces = soup.number_of_polygons();
   Surface_view view;

@@ -320,7 +320,7 @@ private:
     const std::size_t n = m_vertices.size();
     Positions<3> points(3, n);
     for(std::size_t v = 0; v < n; ++v) {
-      const auto& p = get(vertex_points, m_vertices[v]);
+      const auto p = get(vertex_points, m_vertices[v]);
       points.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), third_coordinate(p);
     }
     Eigen::Vector3d low;

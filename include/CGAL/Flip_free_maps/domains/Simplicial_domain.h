@@ -16,6 +16,12 @@
 #include <cstdint>
 #include <vector>
 
+// Fast arithmetic knows neither NaN nor infinity, which tests for bad input and line searches look for, nor the rounding that exact
+// predicates rely on.
+#if defined(__FAST_MATH__) && !defined(CGAL_FLIP_FREE_MAPS_ALLOW_FAST_MATH)
+#error "Flip_free_maps: no guarantee holds with -ffast-math; CGAL_FLIP_FREE_MAPS_ALLOW_FAST_MATH permits it all the same"
+#endif
+
 namespace CGAL {
 namespace Flip_free_maps {
 

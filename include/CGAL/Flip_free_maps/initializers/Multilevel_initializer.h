@@ -15,6 +15,7 @@
 #include <CGAL/Flip_free_maps/initializers/internal/Polar_map.h>
 #include <CGAL/Flip_free_maps/initializers/internal/Progressive_disk.h>
 #include <CGAL/Flip_free_maps/initializers/internal/Vertex_placement.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/for_each_index.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
@@ -156,9 +157,11 @@ private:
         return Status::start_not_flip_free;
       if(run.is_thin)
         for(int sweep = 0; sweep < SWEEPS; ++sweep)
-          for(std::int32_t v = 0; v < run.domain.number_of_vertices; ++v)
+          for(std::int32_t v = 0; v < run.domain.number_of_vertices; ++v) {
+            internal::ask_deadline_sometimes(v);
             if(run.disk.is_awake(v))
               run.placement.relax(v, 1);
+          }
       if(run.disk.number_of_passes() > 0 && run.levels < sizes &&
          run.disk.number_of_triangles() >= NEAR_LEVEL * coarsest * std::exp(growth * run.levels / sizes)) {
         const Status status = optimize_level(run, message);
@@ -217,6 +220,7 @@ private:
     std::vector<std::int32_t> pass = disk.take_pass(), targets, waiting;
     std::vector<char> is_placed;
     for(int round = 0; round < ROUNDS; ++round) {
+      internal::ask_deadline();
       targets.clear();
       for(std::int32_t v : pass)
         targets.push_back(disk.restore(v));

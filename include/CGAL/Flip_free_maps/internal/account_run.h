@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_ACCOUNT_RUN_H
 
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
@@ -43,11 +44,14 @@ void run_map(Account& summary, Load&& load, Solve&& solve, Write&& write)
       const Phase_timer timer(seconds);
       summary.status = load(summary.message);
     }
-    if(summary.status == Status::success)
+    if(summary.status == Status::success) {
+      ask_deadline();
       solve();
+    }
     summary.seconds.load += seconds;
     if(!summary.is_valid())
       return;
+    const Unbound_work certificate;
     const Phase_timer timer(summary.seconds.certify);
     write();
   });

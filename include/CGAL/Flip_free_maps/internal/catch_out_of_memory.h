@@ -8,15 +8,17 @@
 #ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_CATCH_OUT_OF_MEMORY_H
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_CATCH_OUT_OF_MEMORY_H
 
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <new>
+#include <string>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Calls `run()`; if memory does not suffice, the summary says so.
+// Calls `run()`; if memory does not suffice, or the time for a valid map, the summary says so.
 template <typename Run, typename Summary>
 void catch_out_of_memory(Run&& run, Summary& summary)
 {
@@ -25,6 +27,9 @@ void catch_out_of_memory(Run&& run, Summary& summary)
   } catch(const std::bad_alloc&) {
     summary.status = Status::out_of_memory;
     summary.message = "memory was exhausted";
+  } catch(const Interruption& interruption) {
+    summary.status = Status::interrupted;
+    summary.message = std::string(interruption.what()) + ", and there is no valid map yet";
   }
 }
 

@@ -9,24 +9,32 @@
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_MEMORY_H
 
 #if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <limits>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Bytes of the machine's memory, infinity where the system does not tell.
+// Bytes of the machine's memory, or those that this process may take if they are fewer; infinity where the system does not tell.
 inline double physical_memory()
 {
+  double result = std::numeric_limits<double>::infinity();
+#ifdef RLIMIT_AS
+  rlimit limit;
+  if(getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    result = static_cast<double>(limit.rlim_cur);
+#endif
 #if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
   if(pages > 0 && size > 0)
-    return static_cast<double>(pages) * static_cast<double>(size);
+    result = (std::min)(result, static_cast<double>(pages) * static_cast<double>(size));
 #endif
-  return std::numeric_limits<double>::infinity();
+  return result;
 }
 
 } // namespace internal

@@ -8,6 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_INTERNAL_PARALLEL_INVOKE_H
 #define CGAL_FLIP_FREE_MAPS_INTERNAL_PARALLEL_INVOKE_H
 
+#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -26,7 +29,14 @@ void parallel_invoke(F&& f, G&& g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr(std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
-    tbb::parallel_invoke(f, g);
+    const auto bound = [binding = Deadline::state(), account = Cpu_account::current()](auto& task) {
+      return [binding, account, &task] {
+        const Task_timer timer(account);
+        const Bound_work work(binding);
+        task();
+      };
+    };
+    tbb::parallel_invoke(bound(f), bound(g));
     return;
   }
 #endif

@@ -60,6 +60,9 @@ public:
   /// Entries of the factor, known after the analysis.
   std::int64_t factor_entries() const;
 
+  /// Whether factorizations are done in two parts, known after the analysis.
+  bool is_split() const { return m_split != nullptr; }
+
   /// Floating-point operations of a factorization, known after the analysis.
   double factor_operations() const { return m_split != nullptr ? m_split->operations() : m_whole.operations(); }
 

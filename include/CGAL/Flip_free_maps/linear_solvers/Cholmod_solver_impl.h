@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_IMPL_H
 
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Cholmod_solver.h>
 
@@ -41,6 +42,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Cholmod_solver::analyze_pattern(const Block_spar
   // A column of the factor of the graph with c entries stands for b columns with b c entries.
   const double b = matrix.block_size();
   if(!is_ordered || b * b * b * best->operations() >= METIS_THRESHOLD * matrix.number_of_vertices()) {
+    internal::ask_deadline();
     auto metis = std::make_unique<internal::Cholmod_factor>();
     if(order_by_metis(graph, *metis) && (!is_ordered || metis->operations() < best->operations())) {
       std::swap(best, metis);
@@ -50,6 +52,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Cholmod_solver::analyze_pattern(const Block_spar
   }
   if(!is_ordered)
     return false;
+  internal::ask_deadline();
 
   if(matrix.block_size() <= internal::Split_cholesky::LARGEST_BLOCK && b * b * b * best->operations() >= SPLIT_THRESHOLD) {
     const internal::Elimination_split split(matrix, best->order(), best->column_counts());

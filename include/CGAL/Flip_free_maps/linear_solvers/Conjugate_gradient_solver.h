@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CONJUGATE_GRADIENT_SOLVER_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CONJUGATE_GRADIENT_SOLVER_H
 
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 
 #include <Eigen/Cholesky>
@@ -104,6 +105,23 @@ public:
   static const char* name() { return "incomplete Cholesky"; } ///< "incomplete Cholesky"
 };
 
+namespace internal {
+
+// A preconditioner that is interrupted by a `Deadline`: Eigen's iteration, which calls it, is not.
+template <typename Preconditioner>
+class Interruptible : public Preconditioner
+{
+public:
+  template <typename Right>
+  auto solve(const Right& b) const
+  {
+    ask_deadline();
+    return Preconditioner::solve(b);
+  }
+};
+
+} // namespace internal
+
 /// \ingroup PkgFlipFreeMapsLinearSolvers
 /// Conjugate gradients with a preconditioner, for meshes of which the factor does not fit into memory. Directions are inexact: a
 /// right-hand side b is solved for up to the residual `tolerance` |b| sqrt(|b| / |c|), where c is the longest right-hand side so
@@ -158,7 +176,7 @@ private:
   int m_iterations = 0;
   bool m_is_ready = false;
   Matrix m_matrix;
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower, Preconditioner_> m_solver;
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower, internal::Interruptible<Preconditioner_>> m_solver;
 };
 
 template <typename Preconditioner_>

@@ -15,6 +15,7 @@
 #include <CGAL/Flip_free_maps/constraints/Soft_positions.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/method/concepts.h>
@@ -28,6 +29,7 @@
 #include <CGAL/Flip_free_maps/minimizer/internal/remove_rigid_motion.h>
 #include <CGAL/Flip_free_maps/minimizer/line_search.h>
 #include <CGAL/Flip_free_maps/preconditioners/Iteration_state.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <boost/concept_check.hpp>
@@ -92,14 +94,15 @@ public:
   /// as a start is made.
   ///
   /// \param summary times are added to it
-  /// \returns whether the linear solver succeeded
+  /// \returns whether the linear solver succeeded, in time
   bool analyze(Summary& summary);
 
   /// Minimises, beginning at the positions `x`, in the domain's units of length.
   ///
   /// \param x the start, with a column for each vertex; on return the result when the summary `is_valid()`, otherwise unchanged
   /// \returns what happened. The status is one of `success`, `iteration_limit`, `time_limit` and `stopped_by_observer`, or a
-  ///   failure: `invalid_option` (also of a term whose matrix has blocks outside its stencils), `start_not_flip_free`, `linear_solver_failed`, `line_search_failed` or `out_of_memory`. No
+  ///   failure: `invalid_option` (also of a term whose matrix has blocks outside its stencils), `start_not_flip_free`,
+  ///   `linear_solver_failed`, `line_search_failed`, `out_of_memory`, or `flips_remain` if predicates contradict themselves. No
   ///   exception is thrown but those of the observer.
   Summary minimize(Positions<D>& x)
   {
@@ -116,7 +119,8 @@ public:
   ///
   /// \param x a map without flips; on return the result when the summary `is_valid()`, otherwise unchanged
   /// \param targets its columns of fixed vertices are where these go; others are not read
-  /// \returns what happened: as `minimize()`, or `unreachable_constraints` when no path without flips was found
+  /// \returns what happened: as `minimize()`, or `unreachable_constraints` when no path without flips was found. When time or the
+  ///   observer ends the run on the way, the fixed vertices are where they have got to, and the message says so.
   Summary move_fixed_vertices(Positions<D>& x, const Positions<D>& targets)
   {
     Summary summary;
@@ -157,8 +161,13 @@ private:
         run.finish(Status::invalid_option, "the start must have a column for each vertex");
         return;
       }
+      const Deadline deadline(m_traits.options.max_seconds);
       const auto reporting = m_factorization.report_to(summary);
-      body(run);
+      try {
+        body(run);
+      } catch(const Interruption& interruption) {
+        interrupt(run, interruption);
+      }
       if(summary.is_valid())
         x = std::move(result);
     } catch(const std::bad_alloc&) {
@@ -201,6 +210,16 @@ private:
     return true;
   }
 
+  // Keeps the last map that was accepted. What was being made of it is unfinished.
+  void interrupt(Run& run, const Interruption& interruption)
+  {
+    m_factorization.discard();
+    run.measure(m_objective, m_traits.reference);
+    run.summary.energy = run.progress.rest_energy;
+    run.finish(interruption.status(), interruption.what());
+    conclude(run);
+  }
+
   bool analyze_or_fail(Run& run)
   {
     return m_factorization.analyze(run.summary) ||
@@ -211,10 +230,24 @@ private:
   void iterate(Run& run)
   {
     while(iterate_once(run)) {}
+    conclude(run);
+  }
+
+  // Measures the result, if there is one.
+  void conclude(Run& run)
+  {
     Summary& summary = run.summary;
     if(!summary.is_valid())
       return;
-    summary.flips = m_steps.allows_flips() ? m_steps.flips(run.x) : 0;
+    const internal::Unbound_work work;
+    {
+      const internal::Phase_timer timer(summary.seconds.certify);
+      summary.flips = m_steps.flips(run.x);
+    }
+    if(summary.flips > 0 && !m_steps.allows_flips()) {
+      run.finish(Status::flips_remain, "the predicates contradict themselves: elements of a certified map are flipped");
+      return;
+    }
     summary.energy_of_terms = m_objective.energy_of_terms(run.x);
     std::tie(summary.min_singular_value, summary.max_singular_value) = m_objective.singular_value_range(run.x);
   }
@@ -284,6 +317,7 @@ private:
 
     void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& product) const
     {
+      internal::ask_deadline();
       product.noalias() = minimizer.m_objective.matrix().lower().template selfadjointView<Eigen::Lower>() * p;
     }
 
@@ -414,8 +448,10 @@ template <int D, typename Traits>
 void Map_minimizer<D, Traits>::minimize(Positions<D>& x, Summary& summary)
 {
   guarded(x, summary, [&](Run& run) {
-    if(begin(run))
-      iterate(run);
+    if(!begin(run))
+      return;
+    const internal::Improving_work work;
+    iterate(run);
   });
 }
 
@@ -427,21 +463,34 @@ void Map_minimizer<D, Traits>::move_fixed_vertices(Positions<D>& x, const Positi
       run.finish(Status::invalid_option, "the targets must have a column for each vertex");
       return;
     }
-    if(!begin(run) || !analyze_or_fail(run))
+    if(!begin(run))
+      return;
+    const internal::Improving_work work;
+    run.remark = " before the fixed vertices reached their positions";
+    if(!analyze_or_fail(run))
       return;
     internal::Handle_path<D, Traits> path(m_domain, m_traits, m_objective, m_factorization, m_steps);
     const auto optimize = [this](Run& r) {
       while(iterate_once(r)) {}
     };
-    if(path.follow(run, targets, optimize))
-      iterate(run);
+    if(!path.follow(run, targets, optimize)) {
+      conclude(run);
+      return;
+    }
+    run.remark.clear();
+    iterate(run);
   });
 }
 
 template <int D, typename Traits>
 bool Map_minimizer<D, Traits>::analyze(Summary& summary)
 {
-  return m_factorization.analyze(summary);
+  const internal::Improving_work work;
+  try {
+    return m_factorization.analyze(summary);
+  } catch(const Interruption&) {
+    return false;
+  }
 }
 
 } // namespace Flip_free_maps

@@ -13,11 +13,12 @@
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
 #include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
-#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/error_message.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <Eigen/Core>
@@ -118,44 +119,21 @@ public:
       return false;
     }
     Positions<D> result = x;
-    const double time_begin = internal::wall_seconds();
+    const Deadline deadline(m_options.max_seconds);
+    const internal::Improving_work work;
     typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
     internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver);
     const auto reporting = solver.report_to(summary);
-    m_matrix.build_pattern(m_row.size(), D, m_row.of(m_domain.elements));
-    const bool is_free = m_row.size() > 0 && solver.analyze_pattern(m_matrix);
-
-    std::int64_t flips = this->flips(result);
-    double epsilon = 1;
-    bool is_late = false;
-    for(int level = 0; is_free && !is_late && flips > 0 && level < m_options.max_levels; ++level) {
-      const double least = least_determinant(result);
-      // The paper's rule: wide enough for the worst element, and never wider than before.
-      epsilon = (std::min)(epsilon, std::sqrt(1e-12 + 4e-2 * (std::min)(least, 0.) * (std::min)(least, 0.)));
-      double energy = this->energy(result, epsilon);
-      const double before = energy;
-      for(int i = 0; i < m_options.max_steps_per_level; ++i) {
-        is_late = internal::wall_seconds() - time_begin >= m_options.max_seconds;
-        if(is_late)
-          break;
-        const double previous = energy;
-        if(!step(solver, epsilon, energy, result))
-          break;
-        ++summary.iterations;
-        if(previous - energy <= 1e-4 * energy)
-          break;
-      }
-      flips = this->flips(result);
-      // Without progress a smaller epsilon is the only thing left to change.
-      if(before - energy <= 1e-6 * energy)
-        epsilon *= 0.5;
-      if(epsilon < 1e-9)
-        break;
+    std::string limit;
+    try {
+      descend(solver, result, summary);
+    } catch(const Interruption& interruption) {
+      limit = std::string(interruption.what()) + ", and ";
     }
+    const std::int64_t flips = this->flips(result);
     summary.flips = flips;
     if(flips != 0) {
-      summary.message =
-        std::string(is_late ? "the limit of time is reached, and " : "") + std::to_string(flips) + " elements are still flipped";
+      summary.message = limit + std::to_string(flips) + " elements are still flipped";
       return false;
     }
     summary.status = Status::success;
@@ -165,6 +143,37 @@ public:
   }
 
 private:
+  // Minimises for smaller and smaller values of the regularization, until no element is flipped or none helps.
+  template <typename Solver>
+  void descend(Solver& solver, Positions<D>& result, Summary& summary)
+  {
+    m_matrix.build_pattern(m_row.size(), D, m_row.of(m_domain.elements));
+    if(m_row.size() == 0 || !solver.analyze_pattern(m_matrix))
+      return;
+    double epsilon = 1;
+    for(int level = 0; level<m_options.max_levels&& this->flips(result)> 0; ++level) {
+      const double least = least_determinant(result);
+      // The paper's rule: wide enough for the worst element, and never wider than before.
+      epsilon = (std::min)(epsilon, std::sqrt(1e-12 + 4e-2 * (std::min)(least, 0.) * (std::min)(least, 0.)));
+      double energy = this->energy(result, epsilon);
+      const double before = energy;
+      for(int i = 0; i < m_options.max_steps_per_level; ++i) {
+        internal::ask_deadline();
+        const double previous = energy;
+        if(!step(solver, epsilon, energy, result))
+          break;
+        ++summary.iterations;
+        if(previous - energy <= 1e-4 * energy)
+          break;
+      }
+      // Without progress a smaller epsilon is the only thing left to change.
+      if(before - energy <= 1e-6 * energy)
+        epsilon *= 0.5;
+      if(epsilon < 1e-9)
+        break;
+    }
+  }
+
   static double chi(double d, double epsilon)
   {
     const double root = std::sqrt(epsilon * epsilon + d * d);
@@ -233,6 +242,7 @@ private:
       return false;
     Positions<D> trial = x;
     for(double length = 1; length > 1e-12; length *= 0.5) {
+      internal::ask_deadline();
       m_row.for_each(
         [&](std::int32_t v, std::int32_t row) { trial.col(v) = x.col(v) - length * direction.template segment<D>(Eigen::Index(D) * row); });
       const double value = this->energy(trial, epsilon);

@@ -20,8 +20,8 @@ enum class Status
 {
   success,                  ///< converged by the stopping rule named in `Summary::message`
   iteration_limit,          ///< valid map, `Map_options::max_iterations` reached
-  time_limit,               ///< valid map, `Map_options::max_seconds` reached
-  stopped_by_observer,      ///< valid map, the observer asked to stop
+  time_limit,               ///< valid map, `Map_options::max_seconds` or the time of a `Deadline` reached
+  stopped_by_observer,      ///< valid map, the observer asked to stop, or a `Deadline` was cancelled
   empty_mesh,               ///< no face to map
   not_triangular,           ///< a face has more than three edges
   no_border,                ///< the surface is closed, or the given halfedge is not on the border
@@ -40,7 +40,8 @@ enum class Status
   out_of_memory,            ///< memory was exhausted
   not_planar,               ///< the rest shape of a planar deformation does not lie in a plane z = const
   flips_remain,             ///< no map without flipped elements was found from the given one
-  not_bijective             ///< the map was to be bijective, and no such map was found
+  not_bijective,            ///< the map was to be bijective, and no such map was found
+  interrupted               ///< a limit of time or a cancellation ended the run before there was a valid map, see `Deadline`
 };
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -94,6 +95,8 @@ inline const char* status_name(Status status)
     return "flips_remain";
   case Status::not_bijective:
     return "not_bijective";
+  case Status::interrupted:
+    return "interrupted";
   }
   return "unknown";
 }

@@ -61,7 +61,8 @@ struct Summary : Outcome
   int inner_iterations = 0;                 ///< iterations of iterative linear solvers
   int energy_evaluations = 0;               ///< evaluations of the energy along directions
   int fallbacks = 0;                        ///< iterations in which `Newton` projected the Hessian
-  double energy_initial = -1;               ///< mean energy of the start (symmetric Dirichlet: an isometry has 1)
+  double energy_initial = -1;               ///< mean energy of the start (symmetric Dirichlet: an isometry has 1); -1
+                                            ///< where it has flips and the energy is infinite on them
   double energy = -1;                       ///< mean energy of the result
   double energy_of_terms = 0;               ///< the part of `energy` that terms beside the elements contribute,
                                             ///< soft positions for example
@@ -72,7 +73,7 @@ struct Summary : Outcome
   std::optional<bool> is_bijective;         ///< whether the image does not overlap itself; without a value when nobody asked
   std::int64_t flips = -1;                  ///< elements that are not positively oriented, by exact predicates
   Phase_seconds seconds;                    ///< wall-clock seconds by phase
-  double cpu_seconds = 0;                   ///< CPU seconds (all threads) of `seconds.total`
+  double cpu_seconds = 0;                   ///< CPU seconds of `seconds.total`, in all threads that worked for it
   double factorize_cpu_seconds = 0;         ///< CPU seconds of the numeric factorizations
   std::int64_t factor_entries = -1;         ///< nonzeros of the factor
   double peak_memory_mb = -1;               ///< peak resident memory of the process in MiB, -1 where it cannot be known
@@ -87,12 +88,10 @@ struct Summary : Outcome
   /// `true` when a stopping rule was met. A map is valid, but not converged, when a limit or the observer ended the run.
   bool converged() const { return status == Status::success; }
 
-  /// The CPU seconds of the run in those of one factorization; nothing when it factorized nothing.
-  std::optional<double> factorization_units() const
+  /// The CPU seconds of the run in those of one factorization; 0 when it factorized nothing.
+  double factorization_units() const
   {
-    if(factorizations > 0 && factorize_cpu_seconds > 0)
-      return cpu_seconds * factorizations / factorize_cpu_seconds;
-    return std::nullopt;
+    return factorizations > 0 && factorize_cpu_seconds > 0 ? cpu_seconds * factorizations / factorize_cpu_seconds : 0;
   }
 
   /// Calls `visit(name, value)` for each field. The elements are `faces` or `tetrahedra`.

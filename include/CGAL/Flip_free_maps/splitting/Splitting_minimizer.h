@@ -14,11 +14,13 @@
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Robust_solver.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/method/concepts.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/minimizer/polish_map.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 #include <CGAL/Flip_free_maps/splitting/Admm_splitting_step.h>
 #include <CGAL/Flip_free_maps/splitting/Linear_constraints.h>
@@ -183,7 +185,7 @@ private:
     Positions<D>& x;
     Summary& summary;
     Splitting_report report;
-    Positions<D> flip_free; // the last iterate without flips in floating point, if the present one has some
+    Positions<D> flip_free; // the last iterate without flips
     std::int64_t flips = 0;
     int first_iteration = 0;
     double time_begin = 0;
@@ -197,13 +199,23 @@ private:
   {
     const auto reporting = m_solver.report_to(summary);
     Run run(x, summary);
-    if(!begin(run, model))
-      return;
-    while(!has_ended(run) && move_positions(run)) {
-      update_elements(run);
-      schedule_adaptation(run);
-      keep_if_flip_free(run);
+    const Deadline deadline(m_options.max_seconds);
+    try {
+      const internal::Improving_work work;
+      if(!begin(run, model))
+        return;
+      while(!has_ended(run) && move_positions(run)) {
+        update_elements(run);
+        schedule_adaptation(run);
+        keep_if_flip_free(run);
+      }
+    } catch(const Interruption& interruption) {
+      finish(summary, interruption.status(), interruption.what());
+      // What was being made is unfinished.
+      run.is_factorized = false;
+      m_positions.reset();
     }
+    const internal::Unbound_work certificate;
     conclude(run.flip_free, x, summary);
     m_is_warm = summary.is_valid();
     m_is_factorized = run.is_factorized;
@@ -220,7 +232,8 @@ private:
     run.time_begin = internal::wall_seconds();
     run.wants_energy = m_options.observer || std::isfinite(m_options.target_energy);
     run.flips = flips(run.x, summary);
-    summary.energy = summary.energy_initial = run.flips == 0 ? energy(run.x) : std::numeric_limits<double>::infinity();
+    summary.energy = run.flips == 0 ? energy(run.x) : std::numeric_limits<double>::infinity();
+    summary.energy_initial = run.flips == 0 ? summary.energy : -1;
     run.is_warm = m_options.keep_factorization && m_is_warm;
     m_is_warm = false;
     if(!run.is_warm)
@@ -237,13 +250,13 @@ private:
         m_elements[e].jacobian = m_domain.jacobian(e, run.x);
       });
     }
+    if(run.flips == 0)
+      run.flip_free = run.x;
     if(is_new && m_positions->has_unknowns() && !m_positions->analyze_pattern(m_solver)) {
       m_positions.reset();
       finish(summary, Status::linear_solver_failed, "the linear solver could not analyse the pattern of the matrix");
       return false;
     }
-    if(run.flips == 0)
-      run.flip_free = run.x;
     run.is_factorized = run.is_warm && m_is_factorized;
     // Penalties of the run before are about right.
     run.adaptations = run.is_warm ? m_options.first_adaptations : 0;
@@ -277,9 +290,8 @@ private:
       return end(run.flips == 0 ? Status::success : Status::unreachable_constraints, "all vertices are fixed");
     if(summary.iterations - run.first_iteration >= m_options.max_iterations)
       return end(Status::iteration_limit, "the limit of iterations is reached");
-    if(internal::wall_seconds() - run.time_begin >= m_options.max_seconds)
-      return end(Status::time_limit, "the limit of time is reached");
-    return false;
+    const Status late = internal::deadline_status();
+    return late != Status::success && end(late, Interruption(late).what());
   }
 
   const Splitting_report& report(Run& run) const
@@ -354,9 +366,9 @@ private:
     if(run.flips != 0)
       return;
     // Determinants in floating point may be wrong where exact predicates are not.
-    if(m_options.stop_when_flip_free || run.wants_energy || is_within_tolerances(run))
-      run.flips = flips(run.x, run.summary);
-    run.flip_free = run.x;
+    run.flips = flips(run.x, run.summary);
+    if(run.flips == 0)
+      run.flip_free = run.x;
   }
 
   // Certifies the last iterate, or the last one without flips, and measures it.
@@ -370,6 +382,7 @@ private:
     if(!summary.is_valid())
       return;
     if(summary.flips != 0) {
+      summary.energy = -1;
       finish(summary, Status::flips_remain, summary.message + ", and " + std::to_string(summary.flips) + " elements are still flipped");
       return;
     }

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -33,19 +34,50 @@ void append_number(std::string& text, long long value);
 // Word of a file in a form that is safe to print in a message.
 std::string quoted_word(std::string_view word);
 
+// Standard libraries that convert integers only, such as that of LLVM before version 20, leave real numbers to streams in the
+// classic locale.
+#if defined(__cpp_lib_to_chars) && __cpp_lib_to_chars >= 201611L
+constexpr bool has_charconv_of_doubles = true;
+#else
+constexpr bool has_charconv_of_doubles = false;
+#endif
+
+// What std::from_chars() does.
+std::errc parse_by_stream(std::string_view word, double& value);
+
+// What std::to_chars() does, with 0 digits the shortest text.
+std::string text_by_stream(double value, int digits);
+
 template <typename Number>
-std::errc parse_number(std::string_view word, Number& value)
+std::errc parse_by_charconv(std::string_view word, Number& value)
 {
-  if(word.size() > 1 && word[0] == '+' && word[1] != '-')
-    word.remove_prefix(1);
   const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), value);
   if(result.ec != std::errc())
     return result.ec;
   return result.ptr == word.data() + word.size() ? std::errc() : std::errc::invalid_argument;
 }
 
+template <typename Number>
+std::errc parse_number(std::string_view word, Number& value)
+{
+  if(word.size() > 1 && word[0] == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  if constexpr(std::is_floating_point_v<Number> && !has_charconv_of_doubles)
+    return parse_by_stream(word, value);
+  else
+    return parse_by_charconv(word, value);
+}
+
 // Errors that appear only when the last bytes reach the disk are reported by fflush and fclose. The file is closed.
 bool write_open_file(std::FILE* file, const std::string& path, const std::string& content, std::string* message);
+
+// What is told the path of a temporary file that is being written, and null when it is gone: a program that
+// ends at once removes it.
+inline void (*&temporary_file_observer())(const char* path)
+{
+  static void (*observer)(const char*) = nullptr;
+  return observer;
+}
 
 // The file appears, or replaces another one, in one step: what fails or is interrupted leaves what was there before.
 bool write_whole_file(const std::string& path, const std::string& content, std::string* message);

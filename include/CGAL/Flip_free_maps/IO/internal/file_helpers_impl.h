@@ -11,11 +11,16 @@
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -23,16 +28,75 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
+CGAL_FLIP_FREE_MAPS_INLINE std::errc parse_by_stream(std::string_view word, double& value)
+{
+  const bool is_negative = !word.empty() && word[0] == '-';
+  const std::string digits(is_negative ? word.substr(1) : word);
+  std::string lower = digits;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  double magnitude = 0;
+  if(lower == "inf" || lower == "infinity")
+    magnitude = std::numeric_limits<double>::infinity();
+  else if(lower == "nan")
+    magnitude = std::numeric_limits<double>::quiet_NaN();
+  else {
+    // Streams take more than decimal numbers, and signs.
+    if(digits.empty() || digits.find_first_not_of("0123456789.eE+-") != std::string::npos || digits[0] == '+' || digits[0] == '-')
+      return std::errc::invalid_argument;
+    std::istringstream stream(digits);
+    stream.imbue(std::locale::classic());
+    stream >> magnitude;
+    const bool is_out_of_range = stream.fail() && std::abs(magnitude) == (std::numeric_limits<double>::max)();
+    if(stream.fail() && !is_out_of_range)
+      return std::errc::invalid_argument;
+    if(stream.peek() != std::char_traits<char>::eof())
+      return std::errc::invalid_argument;
+    // A number too small for a double is read as 0, and no failure to all streams.
+    const std::size_t exponent = digits.find_first_of("eE");
+    if(is_out_of_range || (magnitude == 0 && digits.substr(0, exponent).find_first_of("123456789") != std::string::npos))
+      return std::errc::result_out_of_range;
+  }
+  value = is_negative ? -magnitude : magnitude;
+  return std::errc();
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::string text_by_stream(double value, int digits)
+{
+  if(!std::isfinite(value))
+    return std::isnan(value) ? (std::signbit(value) ? "-nan" : "nan") : (value < 0 ? "-inf" : "inf");
+  std::string text;
+  for(int precision = digits > 0 ? digits : 1; precision <= (digits > 0 ? digits : 17); ++precision) {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    stream.precision(precision);
+    stream << value;
+    text = stream.str();
+    double read = 0;
+    if(digits == 0 && parse_by_stream(text, read) == std::errc() && read == value)
+      break;
+  }
+  return text;
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE void append_number(std::string& text, double value)
 {
+#if defined(__cpp_lib_to_chars) && __cpp_lib_to_chars >= 201611L
   char buffer[40];
   text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
+#else
+  text += text_by_stream(value, 0);
+#endif
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void append_number(std::string& text, double value, int digits)
 {
+#if defined(__cpp_lib_to_chars) && __cpp_lib_to_chars >= 201611L
   char buffer[40];
   text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, digits).ptr);
+#else
+  text += text_by_stream(value, digits);
+#endif
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void append_number(std::string& text, long long value)
@@ -85,6 +149,11 @@ CGAL_FLIP_FREE_MAPS_INLINE bool write_whole_file(const std::string& path, const 
   }
   if(file == nullptr)
     return fail(message, "cannot open " + path + " for writing: " + std::strerror(errno));
+  const auto tell = [](const char* name) {
+    if(temporary_file_observer() != nullptr)
+      temporary_file_observer()(name);
+  };
+  tell(temporary.c_str());
   bool is_done = write_open_file(file, path, content, message);
   if(is_done && fs::exists(status))
     fs::permissions(temporary, status.permissions(), error);
@@ -94,6 +163,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool write_whole_file(const std::string& path, const 
   }
   if(!is_done)
     fs::remove(temporary, error);
+  tell(nullptr);
   return is_done && succeed(message);
 }
 

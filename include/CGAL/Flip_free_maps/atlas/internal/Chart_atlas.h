@@ -15,11 +15,13 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
 #include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/for_each_index.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Bijective_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 
 #include <CGAL/tags.h>
 
@@ -27,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -118,8 +121,18 @@ public:
     return certify();
   }
 
-  // Says how it ended when all is done.
+  // Says how it ended when all is done. An atlas that was cut short and is of no use is none.
   void finish()
+  {
+    say_how_it_ended();
+    if(m_summary.status == Status::success || m_summary.status == Status::iteration_limit)
+      return;
+    if(!(m_summary.energy < (std::max)(WORST_ENERGY, std::isfinite(m_options.max_distortion) ? m_options.max_distortion : 0.)))
+      fail(Status::interrupted, m_summary.message + ", but the mean energy of the atlas is still " + std::to_string(m_summary.energy));
+  }
+
+private:
+  void say_how_it_ended()
   {
     const auto ended = [this](Status status) {
       return std::any_of(m_summary.charts.begin(), m_summary.charts.end(), [=](const Chart_summary& c) { return c.status == status; });
@@ -129,7 +142,10 @@ public:
     if(m_is_stopped) {
       m_summary.status = Status::stopped_by_observer;
       m_summary.message = "the observer asked to stop; charts without overlaps were made of what there was";
-    } else if(ended(Status::time_limit) || m_is_cut_short) {
+    } else if(ended(Status::stopped_by_observer) || deadline_status() == Status::stopped_by_observer) {
+      m_summary.status = Status::stopped_by_observer;
+      m_summary.message = "the run was cancelled; charts without overlaps were made of what there was";
+    } else if(ended(Status::time_limit) || m_is_cut_short || m_late_since != 0) {
       m_summary.status = Status::time_limit;
       m_summary.message = "the time was up before all charts were as good as can be; none overlaps another or itself";
     } else if(ended(Status::iteration_limit)) {
@@ -138,7 +154,6 @@ public:
     }
   }
 
-private:
   template <typename Point>
   bool pack()
   {
@@ -212,6 +227,7 @@ private:
   // The last word on the numbers that the caller receives.
   bool certify()
   {
+    const Unbound_work certificate;
     const Phase_timer timer(m_summary.certify_seconds);
     Flat_chart all;
     Eigen::Index number = 0;
@@ -239,7 +255,7 @@ private:
   bool must_stop()
   {
     report_progress();
-    m_is_cut_short = m_is_cut_short || remaining_seconds() == 0;
+    m_is_cut_short = m_is_cut_short || is_late();
     return m_is_cut_short;
   }
 
@@ -257,23 +273,39 @@ private:
     return !m_is_stopped;
   }
 
+  // A piece that has no map when the time is up gets one that is good enough, or none if that takes long.
+  Summary flatten_piece(const Open_piece& open, Positions<2>& x, int max_iterations = -1)
+  {
+    if(!is_late())
+      return flatten_piece(open, x, max_iterations, m_traits);
+    double late_since = m_late_since;
+    if(late_since == 0)
+      m_late_since = late_since = wall_seconds();
+    const Unbound_work work;
+    const Deadline last(late_since + GRACE - wall_seconds(), nullptr, 0);
+    Traits traits = m_traits;
+    traits.start.multilevel_size = -1;
+    traits.options.target_energy = (std::max)(traits.options.target_energy, GOOD_ENOUGH);
+    return flatten_piece(open, x, max_iterations, traits);
+  }
+
   // With 0 as the number of iterations the map is a start that has a convex border.
   template <bool IsBijective = false>
-  Summary flatten_piece(const Open_piece& open, Positions<2>& x, int max_iterations = -1)
+  Summary flatten_piece(const Open_piece& open, Positions<2>& x, int max_iterations, Traits traits)
   {
     Summary summary;
     const Halfedge border = longest_border(open);
-    Traits traits = m_traits;
-    traits.options.max_seconds = (std::min)(traits.options.max_seconds, remaining_seconds());
     if(max_iterations >= 0)
       traits.options.max_iterations = max_iterations;
-    if(traits.options.max_seconds == 0 || max_iterations == 0)
+    if(m_is_stopped || max_iterations == 0)
       traits.start.multilevel_size = -1;
     traits.start.unfold = traits.start.unfold && max_iterations != 0;
     traits.options.observer = [this, given = m_traits.options.observer](const Iteration_report& report) {
       m_is_stopped = m_is_stopped || (given && !given(report));
       return report_progress();
     };
+    if(m_is_stopped)
+      traits.options.observer = nullptr; // who has said all
     std::vector<Point_2> uv(open.surface.points.cols());
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
     Planar_solver<Traits, IsBijective> solver{traits};
@@ -316,7 +348,10 @@ private:
     }
     report_progress();
     std::vector<Flat_piece> flat(pieces.size());
-    const auto flatten_one = [&](std::size_t i) { flatten(pieces[i], flat[i]); };
+    const auto flatten_one = [&, binding = Deadline::state()](std::size_t i) {
+      const Bound_work work(binding);
+      flatten(pieces[i], flat[i]);
+    };
     for_each_index<typename Traits::Concurrency_tag>(pieces.size(), flatten_one);
     for(std::size_t i = 0; i < pieces.size(); ++i)
       if(!decide(pieces[i], flat[i]))
@@ -341,8 +376,8 @@ private:
       chart.seconds = wall_seconds() - begin;
       return;
     }
-    if(remaining_seconds() == 0 && inherit(piece, open, flat.x)) {
-      chart.status = m_is_stopped ? Status::stopped_by_observer : Status::time_limit;
+    if(is_late() && inherit(piece, open, flat.x)) {
+      chart.status = m_is_stopped ? Status::stopped_by_observer : deadline_status();
       chart.message = "a part of a larger chart, as it was when the time was up";
       flat.is_mapped = true;
     } else if(open.is_mesh) {
@@ -374,10 +409,10 @@ private:
   // Replaces a map that overlaps itself by one that does not, where that one is not too distorted, either.
   void flatten_without_overlaps(const Piece& piece, Flat_piece& flat)
   {
-    if(is_too_distorted(flat.chart) || remaining_seconds() == 0)
+    if(is_too_distorted(flat.chart) || is_late())
       return;
     Positions<2> x;
-    const Summary summary = flatten_piece<true>(flat.open, x);
+    const Summary summary = flatten_piece<true>(flat.open, x, -1, m_traits);
     std::pair<std::int32_t, std::int32_t> overlap;
     if(!summary.is_valid() || !draw_apart(flat.open, x, overlap))
       return;
@@ -399,7 +434,8 @@ private:
   {
     const Open_piece& open = flat.open;
     Chart_summary& chart = flat.chart;
-    if(chart.status == Status::out_of_memory || chart.status == Status::invalid_option)
+    if(chart.status == Status::out_of_memory || chart.status == Status::invalid_option ||
+       (chart.status == Status::interrupted && !flat.is_inherited))
       return fail(chart.status, chart.message);
     if((chart.status == Status::not_a_disk || chart.status == Status::no_border) && !piece.was_cut) {
       Cut_options cut = m_options.cut;
@@ -431,7 +467,7 @@ private:
       return split(piece, open, flat.overlap);
     }
     // Without time for flattening a part is as distorted as the whole.
-    if(is_too_distorted(chart) && can_be_split(piece) && remaining_seconds() > 0) {
+    if(is_too_distorted(chart) && can_be_split(piece) && !is_late()) {
       if(piece.recuts < MOST_RECUTS && open.is_mesh && m_options.cut.branches == Cut_options::Branches::extremities) {
         Cut_options cut = m_options.cut;
         cut.cut_disks = true;
@@ -570,12 +606,17 @@ private:
   }
 
   static constexpr int MOST_RECUTS = 3;
+  // Mean energies: of an atlas that is cut short, and at which a chart that is made when the time is up ends.
+  static constexpr double WORST_ENERGY = 2, GOOD_ENOUGH = 1.5;
+  // Seconds for charts that have no map when the time is up.
+  static constexpr double GRACE = 0.8;
   // What is expected over what comes out, of energies above 1; and the part of what is wanted that is asked for the second time.
   static constexpr double HOPE = 3, CAUTION = 0.8;
 
   Traits m_traits;
   std::int64_t m_faces = 0; // polygons of the user's
   bool m_is_cut_short = false;
+  std::atomic<double> m_late_since{0};
 };
 
 } // namespace internal

@@ -11,7 +11,7 @@
 #include <CGAL/Flip_free_maps/atlas/Unwrap_options.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_surface.h>
 #include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
-#include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,7 +35,8 @@ public:
 protected:
   using Image = Eigen::Matrix<double, 2, 3>;
 
-  double remaining_seconds() const { return m_is_stopped ? 0 : (std::max)(0., m_options.max_seconds - (wall_seconds() - m_begin)); }
+  // Whether nothing is improved any more: the observer said so, or a deadline.
+  bool is_late() const { return m_is_stopped || deadline_status() != Status::success; }
 
   // The map that the piece has as a part of a larger one.
   bool inherit(const Piece& piece, const Open_piece& open, Positions<2>& x) const;

@@ -67,7 +67,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::can_be_split(const Piece& piece) con
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::is_too_long(const Piece& piece, const Positions<2>& x) const
 {
-  if(!m_options.pack || !m_options.is_bounded() || piece.faces.size() < 4 || !can_be_split(piece) || remaining_seconds() == 0)
+  if(!m_options.pack || !m_options.is_bounded() || piece.faces.size() < 4 || !can_be_split(piece) || is_late())
     return false;
   const Vector<2> direction = direction_of_smallest_box(x);
   Matrix<2> rotation;
@@ -182,7 +182,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::split_for_packing(const std::functio
   for(const Flat_chart& chart : m_charts)
     empty.push_back(empty_area(chart));
   double covered = -1;
-  for(int trial = 0; trial < most_trials && remaining_seconds() > 0; ++trial) {
+  for(int trial = 0; trial < most_trials && !is_late(); ++trial) {
     const std::size_t c = std::max_element(empty.begin(), empty.end()) - empty.begin();
     if(!(empty[c] >= least_empty * m_area))
       return;

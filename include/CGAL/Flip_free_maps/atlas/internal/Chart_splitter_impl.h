@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_SPLITTER_IMPL_H
 
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <algorithm>
@@ -141,7 +142,9 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<double> Chart_splitter::distances(std::in
   Queue queue;
   queue.emplace(0, seed);
   result[seed] = 0;
+  std::size_t steps = 0;
   while(!queue.empty()) {
+    ask_deadline_sometimes(++steps);
     const Entry entry = queue.top();
     queue.pop();
     if(entry.first > result[entry.second])
@@ -174,7 +177,9 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_splitter::Edge> Chart_splitter::sho
   Queue queue;
   queue.emplace(0, from);
   lengths[from] = 0;
+  std::size_t steps = 0;
   while(!queue.empty() && queue.top().second != to) {
+    ask_deadline_sometimes(++steps);
     const Entry entry = queue.top();
     queue.pop();
     const std::int32_t v = entry.second;

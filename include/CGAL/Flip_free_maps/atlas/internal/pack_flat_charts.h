@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Rectangle_packer.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/measure/internal/Border_curves.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 
@@ -120,6 +121,7 @@ void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& op
     const std::vector<Outline_place> places =
       places_by_outlines(charts, turned, packer, options, must_stop, Outline_packer::MOST_WORK, summary.scale);
     is_done = true;
+    const Unbound_work certificate;
     for(std::size_t c = 0; c < charts.size(); ++c) {
       const Outline_place& place = places[c];
       Matrix<2> rotation;
@@ -150,8 +152,10 @@ void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& op
     charts[c].x.swap(placed[c]);
     summary.occupancy += signed_area(charts[c], charts[c].x);
   }
-  summary.status = Status::success;
+  summary.status = deadline_status();
   summary.message = "the charts are in the unit square";
+  if(summary.status != Status::success)
+    summary.message += std::string(", but ") + Interruption(summary.status).what();
 }
 
 // Writes charts to a map that is keyed by corners: `corner_of(face, k)` gives the key.

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_PACK_FLAT_CHARTS_IMPL_H
 
 #include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <cmath>
@@ -111,7 +112,8 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const s
   const double side = 1 - options.distance();
   const int orientations = !options.rotate || charts.size() > 256 ? 4 : charts.size() > 32 ? 8 : 16;
   Outline_packer packer(outlines, options.distance() / side, orientations, options.rotate, most_work);
-  if(packer.pack(scale / side, std::sqrt(1 / area), [&must_stop] { return must_stop && must_stop(); })) {
+  if(packer.pack(scale / side, std::sqrt(1 / area),
+                 [&must_stop] { return (must_stop && must_stop()) || deadline_status() != Status::success; })) {
     scale = packer.scale() * side;
     places = packer.places();
     for(Outline_place& place : places) {

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_surface.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
@@ -278,6 +279,7 @@ private:
   std::vector<Neighbor> m_neighbors;
   std::vector<std::int32_t> m_degrees; // seam edges at a node
   std::vector<char> m_is_kept, m_marks;
+  std::size_t m_steps = 0; // of searches for paths
   std::vector<double> m_distances;
   std::vector<std::int32_t> m_predecessors; // edges
   std::vector<Arrival> m_arrivals;          // by place, at infinite distances between searches

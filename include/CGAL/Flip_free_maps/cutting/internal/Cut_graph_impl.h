@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CUTTING_INTERNAL_CUT_GRAPH_IMPL_H
 
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_graph.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <algorithm>
@@ -195,6 +196,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cut_graph::build_neighbors()
 
 CGAL_FLIP_FREE_MAPS_INLINE void Cut_graph::relax(std::int32_t n, double distance, Cut_queue& queue, double bound)
 {
+  ask_deadline_sometimes(++m_steps);
   for(std::int32_t i = m_first_neighbors[n]; i < m_first_neighbors[n + 1]; ++i) {
     const Neighbor& neighbor = m_neighbors[i];
     const double d = distance + m_costs[neighbor.edge];
@@ -319,6 +321,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_between_sid
     queue.pop();
     if(distance > m_distances[n])
       continue;
+    ask_deadline_sometimes(++m_steps);
     if(m_marks[n] == 2) {
       for(std::int32_t v = n; m_predecessors[v] >= 0;) {
         path.push_back(m_predecessors[v]);
@@ -406,6 +409,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_across_annu
   while(!queue.empty()) {
     const auto [distance, place] = queue.top();
     queue.pop();
+    ask_deadline_sometimes(reached.size());
     const Arrival known = arrival(place);
     if(distance > known.distance)
       continue;

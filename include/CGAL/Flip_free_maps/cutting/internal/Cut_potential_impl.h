@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CUTTING_INTERNAL_CUT_POTENTIAL_IMPL_H
 
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_potential.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <algorithm>
@@ -104,6 +105,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Cut_potential::solve(const std::vector<char>& is
   }
   if(!m_is_analyzed)
     m_is_analyzed = m_solver.analyze_pattern(m_matrix);
+  ask_deadline();
   return m_is_analyzed && m_solver.factorize(m_matrix) && m_solver.solve(fixed_right, m_values) && m_values.allFinite();
 }
 

@@ -140,7 +140,7 @@ Status load_cut_surface(const TriangleMesh& mesh, const VertexPointMap& vertex_p
 
   surface.points.resize(3, vertices.size());
   for(std::size_t v = 0; v < vertices.size(); ++v) {
-    const auto& p = get(vertex_points, vertices[v]);
+    const auto p = get(vertex_points, vertices[v]);
     surface.points.col(v) << CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]);
   }
   surface.is_rigid.assign(surface.edge_halfedge.size(), 0);

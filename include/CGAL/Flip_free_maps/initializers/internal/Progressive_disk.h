@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/elements/internal/rest_shape.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/for_each_index.h>
 
 #include <Eigen/Geometry>
@@ -97,6 +98,7 @@ public:
   {
     int severity = 0;
     while(m_number_of_triangles > wanted && severity < SEVERITIES) {
+      ask_deadline();
       const std::int64_t before = m_number_of_triangles;
       coarsen_once<ConcurrencyTag>(wanted, LIMITS[severity]);
       // Thin surfaces stall at strict limits: then shape gives way. Passes that remove little are not worth their time.
@@ -171,6 +173,7 @@ private:
       if(m_target[v] < 0)
         guesses.push_back({0, static_cast<std::int32_t>(v), -1});
     for_each_chunk<ConcurrencyTag>(guesses.size(), [&](std::size_t i) { guess(guesses[i]); });
+    ask_deadline();
     sort_by_cost(guesses);
     // The dear quarter waits for a later pass, when cheaper collapses may have become possible instead.
     if(guesses.size() > 64)
@@ -195,6 +198,7 @@ private:
       // They are independent of each other; in the order of their numbers they are close to each other in memory.
       std::sort(collapses.begin(), collapses.end(), [](const Collapse& a, const Collapse& b) { return a.v < b.v; });
       for_each_chunk<ConcurrencyTag>(collapses.size(), [&](std::size_t i) { judge(collapses[i], limits); });
+      ask_deadline();
       for(const Collapse& collapse : collapses) {
         if(collapse.w < 0 || !is_possible(collapse.v, collapse.w))
           continue;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/initializers/internal/Progressive_disk.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Vertex_relaxation.h>
 
 #include <CGAL/enum.h>
@@ -83,9 +84,11 @@ public:
           for(std::int32_t v : triangle)
             is_distorted[v] = 1;
       }
-      for(std::size_t v = 0; v < is_distorted.size(); ++v)
+      for(std::size_t v = 0; v < is_distorted.size(); ++v) {
+        ask_deadline_sometimes(v);
         if(is_distorted[v])
           relax(static_cast<std::int32_t>(v), 1);
+      }
     }
   }
 

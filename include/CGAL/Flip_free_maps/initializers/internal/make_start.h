@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/initializers/Multilevel_initializer.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/initializers/internal/unfold_developable.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <string>
@@ -35,6 +36,7 @@ bool is_unfolded(const Simplicial_domain<2>& domain, const Positions<2>& x)
 template <typename Traits>
 Status make_start(const Simplicial_domain<2>& domain, const Traits& traits, Positions<2>& x, std::string& name, std::string& message)
 {
+  const Needed_work work;
   const auto tutte = [&] {
     return Tutte_initializer<typename Traits::Kernel, typename Traits::Linear_solver, typename Traits::Concurrency_tag>(traits.start)(
       domain, [&traits] { return traits.make_linear_solver(); }, x, name, message);

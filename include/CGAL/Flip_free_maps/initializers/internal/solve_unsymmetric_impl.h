@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_INITIALIZERS_INTERNAL_SOLVE_UNSYMMETRIC_IMPL_H
 
 #include <CGAL/Flip_free_maps/initializers/internal/solve_unsymmetric.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <Eigen/SparseLU>
@@ -23,6 +24,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool solve_unsymmetric(const std::vector<Eigen::Tripl
   const Eigen::Index size = right[0].size();
   Eigen::SparseMatrix<double> compressed(size, size);
   compressed.setFromTriplets(matrix.begin(), matrix.end());
+  ask_deadline();
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(compressed);
   if(solver.info() != Eigen::Success)
     return false;

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <new>
 #include <vector>
 
 namespace CGAL {
@@ -143,6 +144,9 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Cholmod_factor::factorize(cholmod_sparse matrix)
   if(m_factor == nullptr)
     return false;
   cholmod_l_factorize(&matrix, m_factor, &m_common);
+  // Another solver would not have more.
+  if(m_common.status == CHOLMOD_OUT_OF_MEMORY)
+    throw std::bad_alloc();
   // A NaN in the matrix is no error to CHOLMOD, but leaves no condition number.
   m_is_factorized = m_common.status == CHOLMOD_OK && m_factor->minor == m_factor->n && cholmod_l_rcond(m_factor, &m_common) > 0;
   return m_is_factorized;

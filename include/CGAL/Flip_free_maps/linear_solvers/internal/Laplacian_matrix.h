@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_LAPLACIAN_MATRIX_H
 
 #include <CGAL/Flip_free_maps/domains/internal/Unknowns.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 
 #include <Eigen/Core>
@@ -51,7 +52,11 @@ public:
   template <typename LinearSolver>
   bool factorize(LinearSolver& solver) const
   {
-    return solver.analyze_pattern(m_matrix) && solver.factorize(m_matrix);
+    ask_deadline();
+    if(!solver.analyze_pattern(m_matrix))
+      return false;
+    ask_deadline();
+    return solver.factorize(m_matrix);
   }
 
 private:

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_ROBUST_SOLVER_H
 
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/linear_solver_traits.h>
@@ -58,6 +59,7 @@ public:
   // May be called again, for another matrix.
   bool analyze_pattern(const Block_sparse_matrix& matrix)
   {
+    ask_deadline();
     const Phase_timer timer(m_summary->seconds.analyze);
     m_fallback.reset();
     m_fallback_is_current = false;
@@ -70,6 +72,8 @@ public:
   // Factorizes the matrix as it is, once.
   bool try_to_factorize(const Block_sparse_matrix& matrix)
   {
+    ask_deadline();
+    ask_deadline();
     const Phase_timer timer(m_summary->seconds.factorize, &m_summary->factorize_cpu_seconds);
     ++m_summary->factorizations;
     m_fallback_is_current = false;
@@ -92,6 +96,7 @@ public:
 
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
+    ask_deadline();
     const Phase_timer timer(m_summary->seconds.solve);
     ++m_summary->linear_solves;
     if(m_fallback_is_current)

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_MEASURE_INTERNAL_BORDER_CURVES_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
@@ -62,7 +63,9 @@ public:
     {};
     // The enumeration of pairs can be left by an exception only; it may have very many pairs to go.
     try {
+      std::size_t pairs = 0;
       CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+        ask_deadline_sometimes(pairs++);
         if(cross(m_edges[a.info()], m_edges[b.info()], x) && !f(a.info(), b.info()))
           throw Enough();
       });

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_CONVERGENCE_TEST_H
 
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Current_factorization.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Minimizer_run.h>
@@ -46,9 +47,8 @@ public:
     }
     if(run.iterations() >= run.options.max_iterations)
       return !run.finish(Status::iteration_limit, "the limit of iterations is reached");
-    if(seconds >= run.options.max_seconds)
-      return !run.finish(Status::time_limit, "the limit of time is reached");
-    return false;
+    const Status late = deadline_status();
+    return late != Status::success && !run.finish(late, Interruption(late).what());
   }
 
   // Where the energy is astronomical, by few elements that nearly collapse, small changes of it say nothing. Where it is not, a
@@ -107,7 +107,7 @@ private:
     report.step = run.progress.step;
     report.largest_step = run.progress.largest_step;
     report.factorizations = run.summary.factorizations;
-    report.flips = m_steps.allows_flips() ? m_steps.flips(run.x) : 0;
+    report.flips = m_steps.flips(run.x);
     return report;
   }
 

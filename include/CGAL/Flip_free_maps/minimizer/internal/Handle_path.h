@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_HANDLE_PATH_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Current_factorization.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Handle_groups.h>
@@ -47,8 +48,8 @@ public:
       m_groups(domain, [&objective](std::int32_t v) { return objective.is_fixed(v); })
   {}
 
-  // Goes the whole way. `optimize(run)` iterates until run.options end it. Where the way is blocked the run is finished, and the
-  // result `false`.
+  // Goes the whole way. `optimize(run)` iterates until run.options end it. Where the way is blocked, or a limit ends the run on it,
+  // the run is finished, and the result `false`.
   template <typename Optimize>
   bool follow(Run& run, const Positions<D>& targets, Optimize&& optimize)
   {
@@ -61,7 +62,6 @@ public:
         return run.finish(Status::non_finite_input, "a target is NaN or infinite");
       if((handles.array() == 0).all()) {
         run.options = options;
-        run.summary.flips = 0;
         return true;
       }
       const bool reuses = m_factorization.exists() && round == 0 && options.keep_factorization;
@@ -75,7 +75,9 @@ public:
       if(arrives)
         continue;
       relax(run, options, optimize);
-      if(run.summary.status == Status::stopped_by_observer || run.summary.status == Status::time_limit || !run.summary.is_valid())
+      if(run.summary.status == Status::stopped_by_observer || run.summary.status == Status::time_limit)
+        return false;
+      if(!run.summary.is_valid())
         return run.summary.status == Status::linear_solver_failed || run.summary.status == Status::invalid_option
                  ? false
                  : run.finish(Status::unreachable_constraints,
@@ -122,6 +124,7 @@ private:
     const double largest = m_steps.largest_step(run);
     double step = 0.5 * largest >= 1 ? 1 : 0.5 * largest;
     for(;; step *= 0.5) {
+      ask_deadline();
       run.trial = run.x + step * run.displacement;
       // The vertices arrive exactly.
       arrives = step == 1 && is_last;

@@ -57,6 +57,8 @@ struct Minimizer_run
   {
     summary.status = status;
     summary.message = message;
+    if(status == Status::time_limit || status == Status::stopped_by_observer)
+      summary.message += remark;
     return false;
   }
 
@@ -85,6 +87,7 @@ struct Minimizer_run
 
   Positions<D>& x;
   Summary& summary;
+  std::string remark; // on a run that ends now
   Map_options options;
   Minimizer_progress progress;
   double time_begin = 0;

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/elements/Signed_svd.h>
 #include <CGAL/Flip_free_maps/energies/internal/energy_traits.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Minimizer_run.h>
@@ -66,6 +67,7 @@ public:
     for(int i = 0; i < 10; ++i) {
       found = line_search(
         [&](double step) {
+          ask_deadline();
           run.trial = run.x + step * run.displacement;
           return m_objective.energy(m_traits.reference, run.trial);
         },

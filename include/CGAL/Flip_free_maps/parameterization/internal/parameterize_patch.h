@@ -11,9 +11,11 @@
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Planar_request.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -77,6 +79,7 @@ Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_trait
       summary.status = Status::invalid_option;
       return;
     }
+    const Deadline deadline(options.max_seconds);
     Face_graph_domain<TriangleMesh> graph;
     {
       const Phase_timer timer(summary.seconds.load);
@@ -88,6 +91,7 @@ Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_trait
     summary.vertices = domain.number_of_vertices;
     summary.elements = domain.number_of_elements();
     Planar_request request(domain);
+    ask_deadline();
     summary.status = prepare(graph, request, summary.message);
     if(summary.status != Status::success)
       return;
@@ -96,6 +100,7 @@ Summary parameterize_patch(const TriangleMesh& mesh, typename boost::graph_trait
     if(!summary.is_valid())
       return;
 
+    const Unbound_work certificate;
     const Phase_timer timer(summary.seconds.certify);
     x *= domain.scale;
     for(std::int32_t v : request.constraints.fixed_vertices) {

@@ -90,7 +90,7 @@ private:
       const auto entry = numbers.find(v);
       if(entry == numbers.end())
         continue;
-      const auto& p = get(vertex_points, v);
+      const auto p = get(vertex_points, v);
       const Kernel::Point_3 point(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
       if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
         message = "a coordinate of the surface is NaN or infinite";

@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# Tests the tests: applies each mutation of test/mutations.tsv to a copy of the sources, builds the test that must notice it, and runs it.
+# Prints the mutations that survive; the exit code is 0 only if there are none. This takes hours: each mutation costs the compilation of
+# a test and of what it links to.
+#
+# usage: test/mutation.sh [PATTERN]    only lines of the list that match the extended regular expression
+#   WORK_DIR   where to copy and to build (default: build/mutation in the repository)
+
+set -euo pipefail
+
+root="$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+pattern="${1:-.}"
+work="${WORK_DIR:-$root/build/mutation}"
+jobs="$(nproc)"
+
+rm -rf -- "$work/source"
+mkdir -p -- "$work/source"
+tar -C "$root" --exclude=./build --exclude=./.git -cf - . | tar -C "$work/source" -xf -
+cmake -S "$work/source" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DFLIP_FREE_MAPS_BUILD_TESTS=ON \
+      -DFLIP_FREE_MAPS_DATA_DIR="$root/../shared/data" > /dev/null
+
+build()
+{
+  cmake --build "$work/build" -j "$jobs" --target "$1" > "$work/build.log" 2>&1
+}
+
+run()
+{
+  (cd -- "$work/build" && ctest -R "^$1(\$|\\.)" --output-on-failure > "$work/test.log" 2>&1)
+}
+
+# A test of the program needs the program only.
+target()
+{
+  case "$1" in
+    program/*) echo flip_free_maps ;;
+    *)         echo "${1/\//_}" ;;
+  esac
+}
+
+# replace FILE TEXT REPLACEMENT: fails unless the text occurs exactly once.
+replace()
+{
+  TEXT="$2" REPLACEMENT="$3" awk '
+    { content = content $0 "\n" }
+    END {
+      text = ENVIRON["TEXT"]
+      at = index(content, text)
+      if(at == 0 || index(substr(content, at + 1), text) != 0)
+        exit 1
+      printf "%s%s%s", substr(content, 1, at - 1), ENVIRON["REPLACEMENT"], substr(content, at + length(text))
+    }' "$1" > "$work/mutated" && cp -- "$work/mutated" "$1"
+}
+
+number=0
+caught=0
+declare -A passes
+while IFS=$'\t' read -r file text replacement test; do
+  [[ -n "$file" && "$file" != \#* ]] || continue
+  grep -qE -- "$pattern" <<< "$file $text $test" || continue
+  number=$((number + 1))
+  name="$file: '$text' -> '$replacement' ($test)"
+  # What fails without a mutation proves nothing.
+  if [[ -z "${passes[$test]:-}" ]]; then
+    passes[$test]=no
+    if build "$(target "$test")" && run "$test"; then
+      passes[$test]=yes
+    fi
+  fi
+  if [[ "${passes[$test]}" == no ]]; then
+    echo "FAILS AS IT IS: $test"
+  elif ! replace "$work/source/$file" "$text" "$replacement"; then
+    echo "NOT FOUND ONCE: $name"
+  elif ! build "$(target "$test")"; then
+    echo "DOES NOT COMPILE: $name"
+  elif run "$test"; then
+    echo "SURVIVES: $name"
+  else
+    caught=$((caught + 1))
+    echo "caught: $name"
+  fi
+  cp -- "$root/$file" "$work/source/$file"
+done < "$root/test/mutations.tsv"
+
+echo "$caught of $number mutations caught"
+[[ "$caught" -eq "$number" ]]
