@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_MAPS_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_MAPS_IMPL_H
 
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_maps.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
@@ -127,10 +128,19 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::halve(std::size_t c, double& seam_le
   const std::pair<std::int32_t, std::int32_t> ends = splitter.far_apart();
   const std::vector<Chart_splitter::Edge> seam = splitter.separate(ends.first, ends.second);
   seam_length = 0;
+  double across_planes = 0;
   for(const Chart_splitter::Edge& edge : seam) {
     mark_seam(original_halfedge(whole, edge.halfedge));
-    seam_length += (open.surface.points.col(edge.vertices[0]) - open.surface.points.col(edge.vertices[1])).norm();
+    const double length = (open.surface.points.col(edge.vertices[0]) - open.surface.points.col(edge.vertices[1])).norm();
+    seam_length += length;
+    const std::int32_t h = edge.halfedge;
+    const auto& triangles = open.surface.triangles;
+    if(turning_angle(triangles[h / 3], triangles[open.surface.opposite[h] / 3], open.surface.points) < FLAT)
+      across_planes += length;
   }
+  // Nobody wants seams across planar faces.
+  if(across_planes > MOST_ACROSS_PLANES * seam_length)
+    return false;
   enqueue_parts(whole.faces, whole);
   std::deque<Piece> parts;
   parts.swap(m_queue);
