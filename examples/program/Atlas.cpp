@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace program {
@@ -81,26 +82,33 @@ private:
   CGAL::Orientation m_positive;
 };
 
-// For each point the first one at the same place: files double points for reasons of their own, and what they part is no seam as long as
-// the images agree.
-std::vector<int> first_at_same_place(const std::vector<std::array<double, 3>>& points)
+// For each point the first one of the same mesh at the same place: files double points for reasons of their own, and what they part is
+// no seam as long as the images agree.
+std::vector<int> first_at_same_place(const Surface& surface, const std::vector<std::array<double, 3>>& points)
 {
+  std::vector<std::size_t> mesh(points.size(), 0);
+  for(std::size_t i = 0; surface.are_objects_apart && i < surface.objects.size(); ++i)
+    for(const std::size_t v : surface.polygons[i])
+      mesh[v] = surface.objects[i];
   std::vector<int> order(points.size()), first(points.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return points[i] < points[j]; });
+  const auto key = [&](int i) { return std::tie(mesh[i], points[i]); };
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return key(i) < key(j); });
   for(std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
+    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
   return first;
 }
 
 } // namespace
+
+std::vector<std::array<std::size_t, 3>> triangulation(const std::vector<Image>& images) { return Ear_clipper(images).triangles(); }
 
 Atlas make_atlas(const Surface& surface, const Corner_images& images)
 {
   Atlas atlas;
   for(const auto& p : surface.points)
     atlas.mesh.points.push_back({p.x(), p.y(), p.z()});
-  const std::vector<int> first = first_at_same_place(atlas.mesh.points);
+  const std::vector<int> first = first_at_same_place(surface, atlas.mesh.points);
   FFM::internal::Corner_numbers<std::size_t> numbers;
   for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
     if(images[i].empty()) {
@@ -108,7 +116,7 @@ Atlas make_atlas(const Surface& surface, const Corner_images& images)
       continue;
     }
     const std::size_t triangles_before = atlas.mesh.triangles.size();
-    for(const auto& corners : Ear_clipper(images[i]).triangles()) {
+    for(const auto& corners : triangulation(images[i])) {
       Eigen::Matrix3d points;
       Eigen::Matrix<double, 2, 3> image;
       std::array<int, 3> triangle, texture;
@@ -134,6 +142,17 @@ Atlas make_atlas(const Surface& surface, const Corner_images& images)
   for(Eigen::Index t = 0; t < x.cols(); ++t)
     atlas.mesh.texture.push_back({x(0, t), x(1, t)});
   return atlas;
+}
+
+bool stay_positive(const Atlas& atlas, const Corner_images& images)
+{
+  for(std::size_t i = 0; i < atlas.polygons.size(); ++i) {
+    const auto& corners = images[atlas.polygons[i]];
+    const auto& [a, b, c] = atlas.corners[i];
+    if(image_orientation(atlas.mesh, i) == CGAL::LEFT_TURN && orientation(corners[a], corners[b], corners[c]) != CGAL::LEFT_TURN)
+      return false;
+  }
+  return true;
 }
 
 void copy_images(const Atlas& atlas, Corner_images& images)

@@ -31,6 +31,12 @@ struct Atlas
 // Triangulates polygons so that all of their images are positive, where that is possible. Faces without texture coordinates are left out.
 Atlas make_atlas(const Surface& surface, const Corner_images& images);
 
+// Triangles of a polygon that suit its image, as numbers of corners.
+std::vector<std::array<std::size_t, 3>> triangulation(const std::vector<Image>& images);
+
+// Whether the triangles of an atlas that are positive are so with other images of the polygons, too.
+bool stay_positive(const Atlas& atlas, const Corner_images& images);
+
 // Enters the atlas' texture coordinates. Corners of triangles without area keep what they have.
 void copy_images(const Atlas& atlas, Corner_images& images);
 

@@ -109,9 +109,10 @@ public:
   explicit Repair(CLI::App& application)
   {
     app = application.add_subcommand("repair", "Remove the flips of texture coordinates, and then minimise their distortion");
-    add_layout_options(*app, m_layout,
-                       "OBJ or PLY with texture coordinates; each island is repaired for itself, and those without flips are left alone",
-                       "the mesh with the repaired texture coordinates");
+    add_layout_options(
+      *app, m_layout,
+      "OBJ, PLY, GLB or glTF with texture coordinates; each island is repaired for itself, and those without flips are left alone",
+      "the mesh with the repaired texture coordinates");
     app->add_flag("--fix-border", m_fix_border, "the borders of islands keep their places");
     app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
     add_limit_options(*app, m_method);
@@ -121,7 +122,7 @@ public:
   int run() override
   {
     m_files = files_of(m_layout, m_method.json, m_method.trace);
-    std::string reason = why_not_written(m_layout.output);
+    std::string reason = why_not_written(m_layout.input, m_layout.output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_layout.input}}, m_files);
     if(!reason.empty())
@@ -135,6 +136,7 @@ private:
     check_folders(m_files);
     const double begin = FFM::internal::wall_seconds();
     Surface surface;
+    surface.uv_set = m_layout.output.uv_set;
     read_surface(m_layout.input, true, surface);
     Atlas atlas = make_atlas(surface, surface.images);
     check(!atlas.mesh.triangles.empty(), m_layout.input + ": no face with an area has texture coordinates");
@@ -174,7 +176,7 @@ private:
                          " islands, the largest of which has these figures";
     Corner_images images = surface.images;
     copy_images(atlas, images);
-    write_layout(m_layout, surface, std::move(images), summary);
+    add_note(summary.message, write_layout(m_layout, surface, std::move(images), summary));
   }
 
   // Islands keep their scale and, as nearly as they can, their place.
