@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -83,12 +84,22 @@ private:
   CGAL::Orientation m_positive;
 };
 
-// The first point at the same place as each.
-std::vector<std::int32_t> first_at_same_place(const FFM::Positions<3>& points)
+// The first point at the same place as each, of the same mesh: files double points for reasons of their own, and what they part is no
+// seam as long as the images agree.
+std::vector<std::int32_t> first_at_same_place(const Surface& surface, const FFM::Positions<3>& points)
 {
   std::vector<std::int32_t> first(points.cols());
   std::iota(first.begin(), first.end(), 0);
   FFM::internal::weld_points(points, first);
+  if(!surface.are_objects_apart)
+    return first;
+  std::vector<std::size_t> mesh(points.cols(), 0);
+  for(std::size_t i = 0; i < surface.objects.size(); ++i)
+    for(const std::size_t v : surface.polygons[i])
+      mesh[v] = surface.objects[i];
+  std::map<std::pair<std::size_t, std::int32_t>, std::int32_t> firsts;
+  for(std::size_t v = 0; v < mesh.size(); ++v)
+    first[v] = firsts.emplace(std::make_pair(mesh[v], first[v]), static_cast<std::int32_t>(v)).first->second;
   return first;
 }
 
@@ -108,13 +119,15 @@ FFM::Positions<3> scaled_points(const Surface& surface)
 
 } // namespace
 
+std::vector<std::array<std::size_t, 3>> triangulation(const std::vector<Image>& images) { return Ear_clipper(images).triangles(); }
+
 Atlas make_atlas(const Surface& surface, const Corner_images& images, bool with_flat_triangles)
 {
   Atlas atlas;
   for(const auto& p : surface.points)
     atlas.mesh.points.push_back({p.x(), p.y(), p.z()});
   const FFM::Positions<3> points = scaled_points(surface);
-  const std::vector<std::int32_t>& first = atlas.first = first_at_same_place(points);
+  const std::vector<std::int32_t>& first = atlas.first = first_at_same_place(surface, points);
   FFM::internal::Corner_numbers<std::size_t> numbers;
   std::vector<std::pair<std::size_t, std::size_t>> others;
   for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
@@ -125,7 +138,7 @@ Atlas make_atlas(const Surface& surface, const Corner_images& images, bool with_
     }
     bool is_flat = true;
     std::vector<char> is_covered(polygon.size(), 0);
-    for(const auto& corners : Ear_clipper(images[i]).triangles()) {
+    for(const auto& corners : triangulation(images[i])) {
       std::array<std::int32_t, 3> triangle;
       std::array<int, 3> texture;
       for(int k = 0; k < 3; ++k)
@@ -158,6 +171,17 @@ Atlas make_atlas(const Surface& surface, const Corner_images& images, bool with_
   for(Eigen::Index t = 0; t < x.cols(); ++t)
     atlas.mesh.texture.push_back({x(0, t), x(1, t)});
   return atlas;
+}
+
+bool stay_positive(const Atlas& atlas, const Corner_images& images)
+{
+  for(std::size_t i = 0; i < atlas.polygons.size(); ++i) {
+    const auto& corners = images[atlas.polygons[i]];
+    const auto& [a, b, c] = atlas.corners[i];
+    if(image_orientation(atlas.mesh, i) == CGAL::LEFT_TURN && orientation(corners[a], corners[b], corners[c]) != CGAL::LEFT_TURN)
+      return false;
+  }
+  return true;
 }
 
 void copy_images(const Atlas& atlas, Corner_images& images)

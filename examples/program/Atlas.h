@@ -44,6 +44,12 @@ struct Atlas
 // less than three images.
 Atlas make_atlas(const Surface& surface, const Corner_images& images, bool with_flat_triangles = false);
 
+// Triangles of a polygon that suit its image, as numbers of corners.
+std::vector<std::array<std::size_t, 3>> triangulation(const std::vector<Image>& images);
+
+// Whether the triangles of an atlas that are positive are so with other images of the polygons, too.
+bool stay_positive(const Atlas& atlas, const Corner_images& images);
+
 // Enters the atlas' texture coordinates.
 void copy_images(const Atlas& atlas, Corner_images& images);
 

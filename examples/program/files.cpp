@@ -7,8 +7,11 @@
 
 #include "files.h"
 
+#include "formats/gltf/Gltf_surface.h"
 #include "repair_polygons.h"
 
+#include <CGAL/Flip_free_maps/IO/OBJ.h>
+#include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 #include <CGAL/Flip_free_maps/domains/internal/Joined_polygons.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -17,6 +20,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace program {
@@ -117,16 +121,64 @@ void check_triangles(const Surface& surface)
 
 } // namespace
 
-void read_surface(const std::string& path, bool with_images, Surface& surface)
+bool is_gltf(const std::string& path)
+{
+  const std::string extension = small_extension(path);
+  return extension == ".glb" || extension == ".gltf";
+}
+
+namespace {
+
+void read_gltf_surface(const std::string& path, bool with_images, Surface& surface)
+{
+  std::string message;
+  check(FFM::internal::read_whole_file(path, surface.text, &message), message);
+  try {
+    read_gltf(path, surface.text, with_images, surface);
+  } catch(const Failure& failure) {
+    throw Failure{failure.status, "cannot read " + path + ": " + failure.message};
+  }
+}
+
+// The objects of the polygons of an OBJ file, as its lines `o` say. Faces before the first of these are an object without a name.
+void find_objects(Surface& surface)
+{
+  if(surface.text.find("\no ") == std::string::npos && surface.text.compare(0, 2, "o ") != 0)
+    return;
+  FFM::internal::OBJ_tokenizer tokenizer(surface.text);
+  surface.object_names.emplace_back();
+  for(std::vector<std::string_view> words; tokenizer.next_line(words);)
+    if(!words.empty() && words[0] == "o") {
+      // Names may have spaces.
+      surface.object_names.emplace_back();
+      for(std::size_t k = 1; k < words.size(); ++k)
+        surface.object_names.back() += (k > 1 ? " " : "") + std::string(words[k]);
+    } else if(!words.empty() && words[0] == "f")
+      surface.objects.push_back(surface.object_names.size() - 1);
+}
+
+void read_polygons(const std::string& path, bool with_images, Surface& surface)
 {
   Polygon_file file;
   const std::string error = read_polygon_file(path, file, with_images, &surface.text);
   check(error.empty(), error);
-  surface.path = path;
   for(const auto& p : file.points)
     surface.points.emplace_back(p[0], p[1], p[2]);
   surface.polygons = std::move(file.polygons);
   surface.images = std::move(file.images);
+  if(small_extension(path) == ".obj")
+    find_objects(surface);
+}
+
+} // namespace
+
+void read_surface(const std::string& path, bool with_images, Surface& surface)
+{
+  surface.path = path;
+  if(is_gltf(path))
+    read_gltf_surface(path, with_images, surface);
+  else
+    read_polygons(path, with_images, surface);
   if(surface.polygons.empty())
     throw Failure{Status::empty_mesh, "the file holds no faces"};
 }

@@ -27,10 +27,17 @@ struct Surface
   std::string path, text; // no text if the polygons are not those of the file any more
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
-  Corner_images images; // as many as polygons if they were asked for
+  Corner_images images;             // as many as polygons if they were asked for
+  std::vector<std::size_t> objects; // of each polygon; none if all are one
+  std::vector<std::string> object_names;
+  std::size_t uv_set = 0;         // which texture coordinates of a glTF file the images are
+  bool are_objects_apart = false; // whether they are meshes of their own, which touch nowhere
+  bool is_transposed = false;     // whether images are (t, s) instead of (s, 1 - t), see formats/gltf/Gltf_surface.h
 };
 
-// Reads an OFF, OBJ, PLY or STL file that has faces.
+bool is_gltf(const std::string& path);
+
+// Reads an OFF, OBJ, PLY, STL, glTF or GLB file that has faces.
 void read_surface(const std::string& path, bool with_images, Surface& surface);
 
 // Checks triangles, so that every fault has a name of its own, and makes a mesh of them whose vertex i is point i.

@@ -76,13 +76,8 @@ void scale_into_unit_square(const Atlas& atlas, Corner_images& images)
     for(Image& image : corners)
       image = {(image[0] - low[0]) / extent, (image[1] - low[1]) / extent};
   // Scaling rounds, and what is written must be certified.
-  const auto point = [&](std::size_t i, int k) {
-    const Image& image = images[atlas.polygons[i]][atlas.corners[i][k]];
-    return Kernel::Point_2(image[0], image[1]);
-  };
-  for(std::size_t i = 0; i < atlas.polygons.size(); ++i)
-    if(image_orientation(atlas.mesh, i) == CGAL::LEFT_TURN && CGAL::orientation(point(i, 0), point(i, 1), point(i, 2)) != CGAL::LEFT_TURN)
-      throw Failure{Status::result_not_representable, "triangles flip when the texture coordinates are scaled into the unit square"};
+  if(!stay_positive(atlas, images))
+    throw Failure{Status::result_not_representable, "triangles flip when the texture coordinates are scaled into the unit square"};
 }
 
 } // namespace
@@ -121,7 +116,7 @@ Corner_images corner_images(const Surface& surface, const std::vector<Kernel::Po
   return images;
 }
 
-void write_layout(const Layout_arguments& arguments, const Surface& surface, Corner_images images, const FFM::Summary& summary)
+std::string write_layout(const Layout_arguments& arguments, const Surface& surface, Corner_images images, const FFM::Summary& summary)
 {
   const Atlas atlas = make_atlas(surface, images);
   std::vector<double> distortion;
@@ -129,7 +124,7 @@ void write_layout(const Layout_arguments& arguments, const Surface& surface, Cor
   if(arguments.unit_square)
     scale_into_unit_square(atlas, images);
   write_pictures(arguments.pictures, arguments.input, atlas.mesh, distortion, summary);
-  write_surface(arguments.output, surface, images);
+  return write_surface(arguments.output, surface, images);
 }
 
 } // namespace program

@@ -58,8 +58,9 @@ void add_layout_options(CLI::App& command, Layout_arguments& arguments, const st
 
 std::vector<File_argument> files_of(const Layout_arguments& arguments, const std::string& json, const std::string& trace);
 
-// Writes and draws the map `images`, whatever of it is asked for; if it has to be scaled, it is certified anew.
-void write_layout(const Layout_arguments& arguments, const Surface& surface, Corner_images images, const FFM::Summary& summary);
+// Writes and draws the map `images`, whatever of it is asked for; if it has to be scaled, it is certified anew. Returns the note of
+// write_surface().
+std::string write_layout(const Layout_arguments& arguments, const Surface& surface, Corner_images images, const FFM::Summary& summary);
 
 // The image of each vertex at all of its corners.
 Corner_images corner_images(const Surface& surface, const std::vector<Kernel::Point_2>& uv);

@@ -14,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -40,20 +41,27 @@ struct Surface_output
 {
   std::string path;
   bool checker = false;
+  std::size_t uv_set = 0; // of glTF
 };
+
+void add_uv_set(CLI::App& command, std::size_t& uv_set);
 
 void add_surface_output(CLI::App& command, Surface_output& output, const std::string& what);
 
-// Why the output cannot be written, by its name and options; empty if it can.
-std::string why_not_written(const Surface_output& output);
+// Why the output of an input cannot be written, by their names and options; empty if it can.
+std::string why_not_written(const std::string& input, const Surface_output& output);
 
 // The names of all files of an output.
 std::vector<File_argument> files_of(const Surface_output& output);
 
-// Writes the surface's file with these images, or a new one if the format is another one or the polygons are.
-void write_surface(const Surface_output& output, const Surface& surface, const Corner_images& images);
+// Writes the surface's file with these images, or a new one if the format is another one or the polygons are. Returns what the user must
+// know of it, mostly nothing.
+std::string write_surface(const Surface_output& output, const Surface& surface, const Corner_images& images);
 
-// The text of a file of polygons, by its extension. All digits are written.
+// Adds such a note to a message.
+void add_note(std::string& message, const std::string& note);
+
+// The text of a file of polygons, by its extension, but not of glTF. All digits are written.
 std::string surface_text(const std::string& extension, const Surface& surface);
 
 void write_text(const std::string& path, const std::string& text);

@@ -50,6 +50,8 @@ void replace_polygons(const Mesh& mesh, Surface& surface)
 {
   surface.text.clear();
   surface.images.clear();
+  surface.objects.clear();
+  surface.object_names.clear();
   surface.points.clear();
   surface.polygons.clear();
   for(const Vertex v : mesh.vertices())

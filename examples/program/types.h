@@ -10,32 +10,16 @@
 #ifndef FLIP_FREE_MAPS_PROGRAM_TYPES_H
 #define FLIP_FREE_MAPS_PROGRAM_TYPES_H
 
-#include <CGAL/Flip_free_maps/report/Status.h>
+#include "Failure.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <string>
-
 namespace program {
 
-namespace FFM = CGAL::Flip_free_maps;
-using FFM::Status;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
-
-struct Failure
-{
-  Status status;
-  std::string message;
-};
-
-inline void check(bool done, const std::string& message)
-{
-  if(!done)
-    throw Failure{Status::file_error, message};
-}
 
 } // namespace program
 

@@ -269,7 +269,7 @@ BOOST_AUTO_TEST_CASE(STL_dialects)
   BOOST_TEST(is_refused("solid\n" + facets(triangles) + "facet normal 0 0 1\n", "stl", "within a facet"));
   BOOST_TEST(is_refused("solid\nvertex 0 0 0\n", "stl", "line 2"));
   BOOST_TEST(is_refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\n", "stl", "line 4"));
-  BOOST_TEST(is_refused("anything", "msh", "not an OFF, OBJ, PLY or STL file"));
+  BOOST_TEST(is_refused("anything", "msh", "not an OFF, OBJ, PLY, STL, GLB or glTF file"));
 }
 
 BOOST_AUTO_TEST_CASE(texture_coordinates)

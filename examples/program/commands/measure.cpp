@@ -26,8 +26,11 @@ public:
   explicit Measure(CLI::App& application)
   {
     app = application.add_subcommand("measure", "Measure texture coordinates, in any number of islands; exit code 0 only without flips");
-    app->add_option("input", m_input, "OBJ or PLY with texture coordinates; faces without them, or without area, are counted only")
+    app
+      ->add_option("input", m_input,
+                   "OBJ, PLY, GLB or glTF with texture coordinates; faces without them, or without area, are counted only")
       ->required();
+    add_uv_set(*app, m_uv_set);
     app->add_option("--json", m_json, "write the figures");
   }
 
@@ -83,6 +86,7 @@ private:
   void measure(Atlas& atlas, FFM::Distortion_report& report) const
   {
     Surface surface;
+    surface.uv_set = m_uv_set;
     read_surface(m_input, true, surface);
     atlas = make_atlas(surface, surface.images);
     check(atlas.without_images < surface.polygons.size(), m_input + ": no face has texture coordinates");
@@ -98,6 +102,7 @@ private:
   }
 
   std::string m_input, m_json;
+  std::size_t m_uv_set = 0;
 };
 
 } // namespace

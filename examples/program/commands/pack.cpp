@@ -28,7 +28,7 @@ public:
   {
     app =
       application.add_subcommand("pack", "Pack the islands of existing texture coordinates into the unit square, without flattening anew");
-    app->add_option("input", m_input, "OBJ or PLY with texture coordinates")->required();
+    app->add_option("input", m_input, "OBJ, PLY, GLB or glTF with texture coordinates")->required();
     add_surface_output(*app, m_output, "the mesh with its islands in the unit square");
     add_packing_options(*app, m_packing);
     app->add_option("--json", m_limits.json, "write the summary");
@@ -39,7 +39,7 @@ public:
   int run() override
   {
     m_files = files_of(m_output, m_pictures, m_limits.json);
-    std::string reason = why_not_written(m_output);
+    std::string reason = why_not_written(m_input, m_output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_input}}, m_files);
     if(!reason.empty())
@@ -56,6 +56,7 @@ private:
   {
     check_folders(m_files);
     Surface surface;
+    surface.uv_set = m_output.uv_set;
     read_surface(m_input, true, surface);
     Atlas atlas = make_atlas(surface, surface.images);
     check(!atlas.mesh.triangles.empty(), m_input + ": no face with an area has texture coordinates");
@@ -95,7 +96,7 @@ private:
     char title[200];
     std::snprintf(title, sizeof title, "%s   %d islands", m_input.substr(m_input.rfind('/') + 1).c_str(), summary.charts);
     write_pictures(m_pictures, title, atlas.mesh, distortion);
-    write_surface(m_output, surface, images);
+    add_note(summary.message, write_surface(m_output, surface, images));
   }
 
   Method_arguments m_limits;

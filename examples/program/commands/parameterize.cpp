@@ -31,12 +31,13 @@ public:
   explicit Parameterize(CLI::App& application)
   {
     app = application.add_subcommand("parameterize", "Flatten a surface patch, a disk that may have holes, into the plane");
-    add_layout_options(*app, m_layout, "mesh: OFF, OBJ, PLY or STL", "the mesh with texture coordinates, in the units of the surface");
+    add_layout_options(*app, m_layout, "mesh: OFF, OBJ, PLY, STL, GLB or glTF",
+                       "the mesh with texture coordinates, in the units of the surface");
     add_method_options(*app, m_method);
     app
       ->add_option(
         "--start", m_start.start,
-        "Tutte embedding, from coarse to fine, or an OBJ or PLY of the same mesh with the texture coordinates to begin with; 'auto' is from "
+        "Tutte embedding, from coarse to fine, or an OBJ, PLY or glTF of the same mesh with the texture coordinates to begin with; 'auto' is from "
         "coarse to fine for the default method on large meshes, and either where the other fails")
       ->capture_default_str();
     app->add_option("--border", m_start.border, "border of the start")->check(CLI::IsMember(border_names()))->capture_default_str();
@@ -60,7 +61,7 @@ public:
       reason = "the splitting scheme makes no bijective maps";
     m_files = files_of(m_layout, m_method.json, m_method.trace);
     if(reason.empty())
-      reason = why_not_written(m_layout.output);
+      reason = why_not_written(m_layout.input, m_layout.output);
     if(reason.empty())
       reason = why_files_collide(
         {{"the input", m_layout.input}, {"--fixed", m_fixed}, {"--soft", m_soft}, {"--start", is_named_start() ? "" : m_start.start}},
@@ -99,7 +100,7 @@ private:
     reporter->finish();
     explain_failure(surface, m_strict, summary);
     if(summary.is_valid())
-      write_layout(m_layout, surface, corner_images(surface, uv), summary);
+      add_note(summary.message, write_layout(m_layout, surface, corner_images(surface, uv), summary));
   }
 
   template <typename Traits>

@@ -123,9 +123,10 @@ public:
   explicit Repair(CLI::App& application)
   {
     app = application.add_subcommand("repair", "Remove the flips of texture coordinates, and then minimise their distortion");
-    add_layout_options(*app, m_layout,
-                       "OBJ or PLY with texture coordinates; each island is repaired for itself, and those without flips are left alone",
-                       "the mesh with the repaired texture coordinates");
+    add_layout_options(
+      *app, m_layout,
+      "OBJ, PLY, GLB or glTF with texture coordinates; each island is repaired for itself, and those without flips are left alone",
+      "the mesh with the repaired texture coordinates");
     app->add_flag("--fix-border", m_fix_border, "the borders of islands keep their places");
     app->add_option("--pinned", m_pinned, "file with the number of a vertex of the input per line, from 0: these stay where they are");
     app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
@@ -136,7 +137,7 @@ public:
   int run() override
   {
     m_files = files_of(m_layout, m_method.json, m_method.trace);
-    std::string reason = why_not_written(m_layout.output);
+    std::string reason = why_not_written(m_layout.input, m_layout.output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_layout.input}, {"--pinned", m_pinned}}, m_files);
     if(!reason.empty())
@@ -149,6 +150,7 @@ private:
   {
     check_folders(m_files);
     Surface surface;
+    surface.uv_set = m_layout.output.uv_set;
     read_surface(m_layout.input, true, surface);
     Atlas atlas = make_atlas(surface, surface.images, true);
     const std::vector<char> is_pinned = pinned_places(surface, atlas);
@@ -207,7 +209,7 @@ private:
       summary.status = limit;
     Corner_images images = surface.images;
     copy_images(atlas, images);
-    write_layout(m_layout, surface, std::move(images), summary);
+    add_note(summary.message, write_layout(m_layout, surface, std::move(images), summary));
   }
 
   // By the points of the atlas, where those at the same place are one.

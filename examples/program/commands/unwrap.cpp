@@ -5,16 +5,15 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#include "../Edge_set.h"
 #include "../commands.h"
 #include "../layout.h"
 #include "../number_files.h"
 #include "../packing_arguments.h"
 #include "../repair_polygons.h"
 #include "../report.h"
+#include "../unwrap_surface.h"
 
 #include <CGAL/Flip_free_maps/measure_distortion.h>
-#include <CGAL/Flip_free_maps/unwrap.h>
 
 #include <cstddef>
 #include <cstdio>
@@ -43,7 +42,9 @@ public:
   explicit Unwrap(CLI::App& application)
   {
     app = application.add_subcommand("unwrap", "Make a texture atlas of any surface: cut it open, flatten it, pack the charts");
-    app->add_option("input", m_input, "polygons: OFF, OBJ, PLY or STL; closed or with holes, of any genus, of any number of components")
+    app
+      ->add_option("input", m_input,
+                   "polygons: OFF, OBJ, PLY, STL, GLB or glTF; closed or with holes, of any genus, of any number of components")
       ->required();
     add_surface_output(*app, m_output, "the mesh with texture coordinates in the unit square");
     add_packing_options(*app, m_packing);
@@ -67,6 +68,8 @@ public:
       ->add_option("--min-occupancy", m_options.min_occupancy,
                    "while less than this part of the square is covered, charts that leave much of it empty are split; 0: never")
       ->capture_default_str();
+    app->add_flag("--atlas-per-object", m_request.has_atlas_per_object,
+                  "give each mesh of a glTF, or object of an OBJ, an atlas of its own; otherwise they share one");
     app->add_option("--seams", m_seams,
                     "file with the numbers of two vertices of the input, from 0, per line: the edges between them are cut");
     app->add_flag(
@@ -95,7 +98,7 @@ public:
   int run() override
   {
     m_files = files_of(m_output, m_pictures, m_limits.json);
-    std::string reason = why_not_written(m_output);
+    std::string reason = why_not_written(m_input, m_output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_input}, {"--seams", m_seams}}, m_files);
     if(!reason.empty())
@@ -120,6 +123,7 @@ private:
   {
     check_folders(m_files);
     Surface surface;
+    surface.uv_set = m_output.uv_set;
     read_surface(m_input, m_keep_seams, surface);
     const Vertex_pairs seams = prepare(surface, repairs);
     FFM::Unwrap_options options = m_options;
@@ -143,18 +147,17 @@ private:
         progress(report);
         return true;
       };
-    FFM::Flip_free_map_traits<> traits;
-    set_limits(m_limits, traits.options);
+    m_request.options = options;
+    set_limits(m_limits, m_request.traits.options);
+    m_request.is_single_precision = surface.is_transposed = is_gltf(m_output.path);
     Corner_images images;
-    summary = FFM::unwrap(surface.points, surface.polygons, images,
-                          FFM::parameters::unwrap_options(
-                            options, FFM::parameters::map_traits(traits, CGAL::parameters::edge_is_constrained_map(Edge_set(seams)))));
+    summary = unwrap_surface(m_request, surface, seams, images);
     progress.finish();
     explain_failure(surface, m_strict, summary);
     if(!summary.is_valid())
       return;
     draw(summary, surface, images);
-    write_surface(m_output, surface, images);
+    add_note(summary.message, write_surface(m_output, surface, images));
   }
 
   // Reads the seams, and repairs the surface if asked to.
@@ -169,6 +172,9 @@ private:
     }
     if(!m_repair)
       return seams;
+    if(surface.are_objects_apart && surface.object_names.size() > 1)
+      throw Failure{Status::invalid_option, "--repair makes one surface of what it repairs, and " + m_input +
+                                              " has several meshes; without it, they are taken as they are"};
     const std::vector<Kernel::Point_3> points = surface.points;
     repairs = repair_polygons(surface);
     if(surface.polygons.empty())
@@ -196,6 +202,7 @@ private:
   Picture_arguments m_pictures;
   FFM::Unwrap_options m_options;
   Packing_arguments m_packing;
+  Unwrap_request m_request;
   Surface_output m_output;
   std::vector<File_argument> m_files;
   std::string m_input, m_seams, m_branches = "extremities";

@@ -34,7 +34,7 @@ std::string read_polygon_file(const std::string& path, Polygon_file& file, bool 
                     : extension == ".stl" ? &read_STL
                                           : nullptr;
   if(read == nullptr)
-    return path + " is not an OFF, OBJ, PLY or STL file: no other extensions are read";
+    return path + " is not an OFF, OBJ, PLY, STL, GLB or glTF file: no other extensions are read";
   std::string content, message;
   if(!CGAL::Flip_free_maps::internal::read_whole_file(path, content, &message))
     return message;

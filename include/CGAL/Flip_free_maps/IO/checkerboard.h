@@ -28,6 +28,9 @@ void append_PNG_chunk(std::string& bytes, const std::string& type, const std::st
 // A zlib stream whose blocks are stored: a bit per pixel is small enough, and no library is needed.
 std::string stored_zlib_stream(const std::string& data);
 
+// The content of the image that `write_checkerboard_PNG()` writes.
+std::string checkerboard_PNG(int size, int squares);
+
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsIO

@@ -58,18 +58,8 @@ CGAL_FLIP_FREE_MAPS_INLINE std::string stored_zlib_stream(const std::string& dat
   return bytes;
 }
 
-} // namespace internal
-} // namespace Flip_free_maps
-} // namespace CGAL
-
-namespace CGAL {
-namespace Flip_free_maps {
-
-CGAL_FLIP_FREE_MAPS_INLINE bool write_checkerboard_PNG(const std::string& path, int size, int squares, std::string* message)
+CGAL_FLIP_FREE_MAPS_INLINE std::string checkerboard_PNG(int size, int squares)
 {
-  if(size < 1 || size > 16000 || squares < 1 || squares > size)
-    return internal::fail(message, "cannot draw " + path + ": the size must be from 1 to 16000, and squares from 1 to the size");
-
   // Square i begins at the pixel size * i / squares, rounded down.
   const auto square_of = [=](int pixel) { return static_cast<int>(((pixel + 1LL) * squares - 1) / size); };
   std::string pixels;
@@ -83,15 +73,29 @@ CGAL_FLIP_FREE_MAPS_INLINE bool write_checkerboard_PNG(const std::string& path, 
     }
   }
   std::string header;
-  internal::append_big_endian(header, size);
-  internal::append_big_endian(header, size);
+  append_big_endian(header, size);
+  append_big_endian(header, size);
   header += std::string("\x01\x03\x00\x00\x00", 5); // a bit per pixel, colors from the palette: a light and a blue one
   std::string bytes("\x89PNG\r\n\x1a\n");
-  internal::append_PNG_chunk(bytes, "IHDR", header);
-  internal::append_PNG_chunk(bytes, "PLTE", "\xf2\xf2\xed\x38\x6b\x9e");
-  internal::append_PNG_chunk(bytes, "IDAT", internal::stored_zlib_stream(pixels));
-  internal::append_PNG_chunk(bytes, "IEND", "");
-  return internal::write_whole_file(path, bytes, message);
+  append_PNG_chunk(bytes, "IHDR", header);
+  append_PNG_chunk(bytes, "PLTE", "\xf2\xf2\xed\x38\x6b\x9e");
+  append_PNG_chunk(bytes, "IDAT", stored_zlib_stream(pixels));
+  append_PNG_chunk(bytes, "IEND", "");
+  return bytes;
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+namespace CGAL {
+namespace Flip_free_maps {
+
+CGAL_FLIP_FREE_MAPS_INLINE bool write_checkerboard_PNG(const std::string& path, int size, int squares, std::string* message)
+{
+  if(size < 1 || size > 16000 || squares < 1 || squares > size)
+    return internal::fail(message, "cannot draw " + path + ": the size must be from 1 to 16000, and squares from 1 to the size");
+  return internal::write_whole_file(path, internal::checkerboard_PNG(size, squares), message);
 }
 
 } // namespace Flip_free_maps
