@@ -9,9 +9,8 @@
 // any content then. A reader does not look at the indices of corners, which read_volume_file() checks for all. Each writer returns
 // the content of a file.
 //
-// VTK and Gmsh have libraries for their formats, which are not used: they allocate what a header claims and print or end the program
-// where a file is broken, they drop what is to be written back (comments, sections and sets that they do not know), and they come
-// with hundreds of megabytes.
+// VTK and Gmsh have libraries for their formats, which are not used: VTK's readers allocate what a header claims (48 GB for 80 bytes),
+// both drop what is to be written back (comments, sections and sets that they do not know), and they come with hundreds of megabytes.
 
 #ifndef FLIP_FREE_MAPS_PROGRAM_FORMATS_VOLUME_FORMATS_H
 #define FLIP_FREE_MAPS_PROGRAM_FORMATS_VOLUME_FORMATS_H
