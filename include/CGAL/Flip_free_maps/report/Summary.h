@@ -10,9 +10,11 @@
 
 #include <CGAL/Flip_free_maps/report/Outcome.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -84,6 +86,13 @@ struct Summary : Outcome
   std::string reference;                    ///< name of the reference
   std::string acceleration;                 ///< name of the acceleration
 
+  /// Elements that no map can have without flips: all of their vertices are held.
+  std::vector<std::int64_t> impossible_elements;
+  /// Edges inside a solid whose ends are held on one flat side of the target.
+  std::vector<std::array<std::int32_t, 2>> impossible_edges;
+  /// Where flips remain: the flipped elements of the best map that was found.
+  std::vector<std::int64_t> flipped_elements;
+
   /// `true` when a stopping rule was met. A map is valid, but not converged, when a limit or the observer ended the run.
   bool converged() const { return status == Status::success; }
 
@@ -107,6 +116,9 @@ struct Summary : Outcome
     visit(dimension == 3 ? "tetrahedra" : "faces", elements);
     visit("flips", flips);
     visit("bijective", is_bijective);
+    visit("impossible_elements", impossible_elements, DETAIL);
+    visit("impossible_edges", impossible_edges, DETAIL);
+    visit("flipped_elements", flipped_elements, DETAIL);
     visit("energy_initial", energy_initial);
     visit("energy", energy);
     visit("energy_of_terms", energy_of_terms, energy_of_terms != 0 ? Field_role::shown : DETAIL);

@@ -145,7 +145,9 @@ public:
 
   /// As `minimize()` without a polish, whatever the options say: a program that calls no other function is spared the compilation
   /// of `Map_minimizer`.
-  void split(Positions<D>& x, const Positions<D>& model, Summary& summary);
+  ///
+  /// \param fewest_flips if not null, receives the iterate with the fewest flipped elements when none was without
+  void split(Positions<D>& x, const Positions<D>& model, Summary& summary, Positions<D>* fewest_flips = nullptr);
 
 private:
   static void finish(Summary& summary, Status status, const std::string& message)
@@ -190,19 +192,24 @@ private:
     bool is_warm = false;
     bool is_factorized = false;
     bool wants_energy = false;
-    int adaptations = 0, interval = 0, next_adaptation = 0; // of penalties
+    int adaptations = 0, interval = 0, next_adaptation = 0;         // of penalties
+    std::int64_t fewest = std::numeric_limits<std::int64_t>::max(); // flips, and the iteration that had them first
+    int fewest_iteration = 0;
+    Positions<D>* fewest_flips = nullptr;
   };
 
-  void run(Positions<D>& x, const Positions<D>& model, Summary& summary)
+  void run(Positions<D>& x, const Positions<D>& model, Summary& summary, Positions<D>* fewest_flips)
   {
     const auto reporting = m_solver.report_to(summary);
     Run run(x, summary);
+    run.fewest_flips = fewest_flips;
     if(!begin(run, model))
       return;
     while(!has_ended(run) && move_positions(run)) {
       update_elements(run);
       schedule_adaptation(run);
       keep_if_flip_free(run);
+      note_progress(run);
     }
     conclude(run.flip_free, x, summary);
     m_is_warm = summary.is_valid();
@@ -249,6 +256,8 @@ private:
     run.adaptations = run.is_warm ? m_options.first_adaptations : 0;
     run.interval = m_options.adaptation_interval;
     run.next_adaptation = run.first_iteration + (run.is_warm ? run.interval : 1);
+    run.fewest_iteration = run.first_iteration;
+    note_progress(run);
     return true;
   }
 
@@ -277,9 +286,27 @@ private:
       return end(run.flips == 0 ? Status::success : Status::unreachable_constraints, "all vertices are fixed");
     if(summary.iterations - run.first_iteration >= m_options.max_iterations)
       return end(Status::iteration_limit, "the limit of iterations is reached");
+    if(has_stalled(run))
+      return end(Status::iteration_limit, "flipped elements become no fewer");
     if(internal::wall_seconds() - run.time_begin >= m_options.max_seconds)
       return end(Status::time_limit, "the limit of time is reached");
     return false;
+  }
+
+  void note_progress(Run& run) const
+  {
+    if(run.flips >= run.fewest)
+      return;
+    run.fewest = run.flips;
+    run.fewest_iteration = run.summary.iterations;
+    if(run.fewest_flips != nullptr)
+      *run.fewest_flips = run.x;
+  }
+
+  bool has_stalled(const Run& run) const
+  {
+    return m_options.max_stalled_iterations > 0 && run.fewest > 0 &&
+           run.summary.iterations - run.fewest_iteration >= m_options.max_stalled_iterations;
   }
 
   const Splitting_report& report(Run& run) const
@@ -457,7 +484,7 @@ void Splitting_minimizer<D, Traits, Step>::minimize(Positions<D>& x, const Posit
 }
 
 template <int D, typename Traits, typename Step>
-void Splitting_minimizer<D, Traits, Step>::split(Positions<D>& x, const Positions<D>& model, Summary& summary)
+void Splitting_minimizer<D, Traits, Step>::split(Positions<D>& x, const Positions<D>& model, Summary& summary, Positions<D>* fewest_flips)
 {
   summary.vertices = m_domain.number_of_vertices;
   summary.elements = m_domain.number_of_elements();
@@ -474,7 +501,7 @@ void Splitting_minimizer<D, Traits, Step>::split(Positions<D>& x, const Position
   }
   try {
     Positions<D> result = x;
-    run(result, model, summary);
+    run(result, model, summary, fewest_flips);
     if(summary.is_valid())
       x = std::move(result);
   } catch(const std::bad_alloc&) {
