@@ -12,13 +12,17 @@
 
 #include "support/splitting_checks.h"
 
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/map_volume.h>
+#include <CGAL/Flip_free_maps/measure/Element_quality.h>
+#include <CGAL/Flip_free_maps/morph_volume.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace FFM = CGAL::Flip_free_maps;
@@ -225,6 +229,73 @@ BOOST_AUTO_TEST_CASE(only_what_is_near_the_flips_moves)
   const FFM::Summary polished = FFM::map_volume(domain, boundary, x, FFM::Volume_start::given, options);
   BOOST_TEST(polished.converged());
   BOOST_TEST((x - image).norm() < 1e-3 * image.norm());
+}
+
+// Morphing: displacements of the boundary, in the user's coordinates.
+BOOST_AUTO_TEST_CASE(morphed_solids)
+{
+  const Volume cube = bar(n, n, n, [](const Eigen::Vector3d& p) { return p; });
+  // A second body, which nobody moves.
+  std::vector<Eigen::Vector3d> points = cube.points;
+  auto tetrahedra = cube.tetrahedra;
+  const std::int32_t size = static_cast<std::int32_t>(cube.points.size());
+  for(const Eigen::Vector3d& p : cube.points)
+    points.push_back(p + Eigen::Vector3d(3 * n, 0, 0));
+  for(auto t : cube.tetrahedra) {
+    for(std::int32_t& v : t)
+      v += size;
+    tetrahedra.push_back(t);
+  }
+  FFM::Tetrahedral_domain volume;
+  std::string message;
+  BOOST_TEST((volume.load(points, tetrahedra, message) == FFM::Status::several_components));
+
+  Eigen::Matrix3d affine;
+  affine << 1.5, 0.4, 0, -0.2, 0.8, 0.3, 0.1, 0, 1.2;
+  const auto twisted = [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    const double angle = 1.6 * p[2] / n, x = p[0] - n / 2., y = p[1] - n / 2.;
+    return {std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, p[2]};
+  };
+  for(bool is_affine : {true, false}) {
+    std::vector<std::pair<std::size_t, std::array<double, 3>>> places;
+    for(std::int32_t v : boundary_vertices()) {
+      const Eigen::Vector3d p = is_affine ? Eigen::Vector3d(affine * points[v]) : twisted(points[v]);
+      places.push_back({static_cast<std::size_t>(v), {p[0], p[1], p[2]}});
+    }
+    std::vector<std::array<double, 3>> result(points.size());
+    const FFM::Morph_summary summary = FFM::morph_volume(volume, places, result.data());
+    BOOST_TEST(summary.is_valid());
+    BOOST_TEST(summary.flips == 0);
+    BOOST_TEST(summary.quality.min_scaled_jacobian > 0);
+    // The six tetrahedra of a cube around its diagonal have edges of 1, sqrt(2) and sqrt(3), and the determinant 1.
+    BOOST_TEST(summary.quality_before.min_scaled_jacobian == std::sqrt(2.) / std::sqrt(6.), boost::test_tools::tolerance(1e-9));
+    for(const auto& [v, place] : places)
+      BOOST_TEST((result[v] == place));
+    double error = 0, moved = 0;
+    for(std::int32_t v = 0; v < size; ++v) {
+      if(is_affine)
+        error = (std::max)(error, (affine * points[v] - Eigen::Map<const Eigen::Vector3d>(result[v].data())).norm());
+      moved = (std::max)(moved, (points[size + v] - Eigen::Map<const Eigen::Vector3d>(result[size + v].data())).norm());
+    }
+    BOOST_TEST(error < 1e-6);
+    BOOST_TEST(moved < 1e-12);
+  }
+
+  // One vertex at two places.
+  std::vector<std::pair<std::size_t, std::array<double, 3>>> places = {{0, {0, 0, 0}}, {0, {0, 0, 1}}};
+  std::vector<std::array<double, 3>> result(points.size(), {7, 7, 7});
+  const FFM::Morph_summary refused = FFM::morph_volume(volume, places, result.data());
+  BOOST_TEST((refused.status == FFM::Status::invalid_option));
+  BOOST_TEST((result[0] == std::array<double, 3>{7, 7, 7}));
+}
+
+BOOST_AUTO_TEST_CASE(scaled_jacobian_of_known_shapes)
+{
+  const Eigen::Vector3d a(1, 1, 1), b(1, -1, -1), c(-1, 1, -1), d(-1, -1, 1);
+  BOOST_TEST(FFM::scaled_jacobian(a, b, d, c) == 1, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(FFM::scaled_jacobian(a, b, c, d) == -1, boost::test_tools::tolerance(1e-12));
+  // The corner of a cube: determinant 1, largest product 2 at the other corners.
+  BOOST_TEST(FFM::scaled_jacobian({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}) == std::sqrt(2.) / 2, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(bad_input)
