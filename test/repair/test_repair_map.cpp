@@ -23,6 +23,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -154,9 +155,45 @@ BOOST_AUTO_TEST_CASE(fixed_vertices_and_impossible_ones)
   options.foldover_free.max_levels = 10;
   x = start;
   const FFM::Summary impossible = FFM::repair_map(domain, x, constraints, options, Traits());
-  BOOST_TEST((impossible.status == FFM::Status::flips_remain));
-  BOOST_TEST(impossible.flips > 0);
+  BOOST_TEST((impossible.status == FFM::Status::unreachable_constraints));
+  BOOST_TEST(impossible.impossible_elements == std::vector<std::int64_t>(1, 50), boost::test_tools::per_element());
+  BOOST_TEST(impossible.iterations == 0);
   BOOST_TEST((x.array() == start.array()).all());
+}
+
+// Where no method succeeds the flipped elements of the best map are named, and no stage goes on without progress.
+BOOST_AUTO_TEST_CASE(flips_that_remain_are_named)
+{
+  const FFM::Simplicial_domain<2> domain = make_domain(patch);
+  FFM::Positions<2> start = tutte_start(domain);
+  // All neighbours of a vertex inside are held, and one of them is beyond the others: no place is left for the vertex.
+  const std::int32_t center = 60;
+  FFM::Position_constraints<2> constraints;
+  std::vector<std::int64_t> star;
+  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
+    const auto& element = domain.elements[e];
+    if(std::find(element.begin(), element.end(), center) == element.end())
+      continue;
+    star.push_back(e);
+    for(std::int32_t v : element)
+      if(v != center)
+        constraints.fixed_vertices.push_back(v);
+  }
+  BOOST_TEST_REQUIRE(star.size() > 3);
+  const std::int32_t moved = constraints.fixed_vertices.front();
+  start.col(moved) = 3 * start.col(center) - 2 * start.col(moved);
+  FFM::Repair_options options;
+  FFM::Positions<2> x = start;
+  const FFM::Summary summary = FFM::repair_map(domain, x, constraints, options, Traits());
+  BOOST_TEST((summary.status == FFM::Status::flips_remain));
+  BOOST_TEST_REQUIRE(!summary.flipped_elements.empty());
+  BOOST_TEST(summary.flips == static_cast<std::int64_t>(summary.flipped_elements.size()));
+  BOOST_TEST(summary.iterations < 2500);
+  BOOST_TEST((x.array() == start.array()).all());
+  bool is_star = false;
+  for(std::int64_t e : summary.flipped_elements)
+    is_star = is_star || std::find(star.begin(), star.end(), e) != star.end();
+  BOOST_TEST(is_star);
 }
 
 BOOST_AUTO_TEST_CASE(settings_out_of_range)

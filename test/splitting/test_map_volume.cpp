@@ -12,12 +12,17 @@
 
 #include "support/splitting_checks.h"
 
+#include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/map_volume.h>
+#include <CGAL/Flip_free_maps/measure/Element_quality.h>
+#include <CGAL/Flip_free_maps/morph_volume.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace FFM = CGAL::Flip_free_maps;
@@ -121,14 +126,176 @@ BOOST_AUTO_TEST_CASE(mirrored_boundary)
   options.foldover_free.max_levels = 3;
   FFM::Positions<3> x = start;
   const FFM::Summary summary = FFM::map_volume(domain, boundary, x, FFM::Volume_start::extension, options);
-  BOOST_TEST((summary.status == FFM::Status::flips_remain));
-  BOOST_TEST(summary.flips > 0);
-  BOOST_TEST(summary.start.find("foldover-free") != std::string::npos);
+  std::vector<std::int64_t> held;
+  for(std::int64_t e = 0; e < domain.number_of_elements(); ++e)
+    if(std::count(domain.elements[e].begin(), domain.elements[e].end(), 13) == 0)
+      held.push_back(e);
+  BOOST_TEST((summary.status == FFM::Status::unreachable_constraints));
+  BOOST_TEST(summary.impossible_elements == held, boost::test_tools::per_element());
+  BOOST_TEST(summary.iterations == 0);
   BOOST_TEST((x.array() == start.array()).all());
+
+  // The splitting scheme alone goes on as long as it may, or until flips become no fewer.
+  FFM::Position_constraints<3> constraints;
+  constraints.fixed_vertices = boundary;
+  FFM::Splitting_options splitting;
+  splitting.stop_when_flip_free = true;
+  splitting.max_iterations = 200;
+  for(int stalled : {0, 7}) {
+    splitting.max_stalled_iterations = stalled;
+    FFM::Splitting_minimizer<3> minimizer(domain, FFM::Flip_free_map_traits<CGAL::Default, FFM::Symmetric_gradient>(), constraints,
+                                          splitting);
+    FFM::Positions<3> fewest, y = start;
+    FFM::Summary account;
+    minimizer.split(y, start, account, &fewest);
+    BOOST_TEST((account.status == FFM::Status::flips_remain));
+    BOOST_TEST((stalled == 0 ? account.iterations == 200 : account.iterations < 100));
+    BOOST_TEST_REQUIRE(fewest.cols() == start.cols());
+    BOOST_TEST(negative_elements(domain, fewest) <= negative_elements(domain, start));
+  }
 
   // With no vertex left to move it is known at once.
   boundary.push_back(13);
   BOOST_TEST((FFM::map_volume(domain, boundary, x).status == FFM::Status::unreachable_constraints));
+}
+
+// Two sides of a cube go to one plane, and the edges inside that join them have no room.
+BOOST_AUTO_TEST_CASE(edges_within_a_flat_side)
+{
+  const Volume cube = bar(n, n, n, [](const Eigen::Vector3d& p) { return p; });
+  const FFM::Simplicial_domain<3> domain = make_domain(cube);
+  const auto opened = [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    const double less = 0.5 * (std::min)(p[0], n - p[1]);
+    return {p[0] - less, p[1] + less, p[2]};
+  };
+  FFM::Positions<3> x(3, domain.number_of_vertices);
+  for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
+    x.col(v) = opened(cube.points[v]);
+  std::vector<std::array<std::int32_t, 2>> expected;
+  for(const auto& element : domain.elements)
+    for(std::int32_t v : element)
+      for(std::int32_t w : element) {
+        const Eigen::Vector3d a = cube.points[v], b = cube.points[w];
+        const auto is_on_side = [](const Eigen::Vector3d& p) { return (std::max)(p[0], n - p[1]) == n; };
+        const bool share_side = (a[0] == n && b[0] == n) || (a[1] == 0 && b[1] == 0) || (a[2] == b[2] && (a[2] == 0 || a[2] == n));
+        if(v < w && is_on_side(a) && is_on_side(b) && !share_side)
+          expected.push_back({v, w});
+      }
+  std::sort(expected.begin(), expected.end());
+  expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+  BOOST_TEST_REQUIRE(!expected.empty());
+
+  const FFM::Positions<3> start = x;
+  const FFM::Summary summary = FFM::map_volume(domain, boundary_vertices(), x);
+  BOOST_TEST((summary.status == FFM::Status::unreachable_constraints));
+  BOOST_TEST((summary.impossible_edges == expected));
+  BOOST_TEST(summary.iterations == 0);
+  BOOST_TEST((x.array() == start.array()).all());
+}
+
+// What is far from the flips stays where it is, and an affine boundary has an affine map.
+BOOST_AUTO_TEST_CASE(only_what_is_near_the_flips_moves)
+{
+  const int m = 7, corner = m + 1;
+  const Volume cube = bar(m, m, m, [](const Eigen::Vector3d& p) { return p; });
+  const FFM::Simplicial_domain<3> domain = make_domain(cube);
+  Eigen::Matrix3d affine;
+  affine << 1.2, 0.3, 0, -0.1, 0.9, 0.2, 0.1, 0, 1.1;
+  const FFM::Positions<3> image = affine * positions_of<3>(cube, domain.scale);
+  const auto number = [=](int i, int j, int k) { return (k * corner + j) * corner + i; };
+  const std::int32_t flipped = number(2, 2, 2);
+  FFM::Positions<3> start = image;
+  start.col(flipped) += affine * Eigen::Vector3d(1.6, 0.1, 0.3) / domain.scale;
+  std::vector<std::int32_t> boundary;
+  for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
+    for(int c = 0; c < 3; ++c)
+      if(cube.points[v][c] == 0 || cube.points[v][c] == m) {
+        boundary.push_back(v);
+        break;
+      }
+  FFM::Repair_options options;
+  options.polish = false;
+  FFM::Positions<3> x = start;
+  const FFM::Summary first = FFM::map_volume(domain, boundary, x, FFM::Volume_start::given, options);
+  BOOST_TEST(first.is_valid());
+  BOOST_TEST(first.start.find("near the flips") != std::string::npos);
+  BOOST_TEST(first.start.find("splitting") == std::string::npos);
+  BOOST_TEST(negative_elements(domain, x) == 0);
+  BOOST_TEST((x.col(number(6, 6, 6)).array() == start.col(number(6, 6, 6)).array()).all());
+  BOOST_TEST((x.col(flipped) - start.col(flipped)).norm() > 0);
+
+  options.polish = true;
+  x = start;
+  const FFM::Summary polished = FFM::map_volume(domain, boundary, x, FFM::Volume_start::given, options);
+  BOOST_TEST(polished.converged());
+  BOOST_TEST((x - image).norm() < 1e-3 * image.norm());
+}
+
+// Morphing: displacements of the boundary, in the user's coordinates.
+BOOST_AUTO_TEST_CASE(morphed_solids)
+{
+  const Volume cube = bar(n, n, n, [](const Eigen::Vector3d& p) { return p; });
+  // A second body, which nobody moves.
+  std::vector<Eigen::Vector3d> points = cube.points;
+  auto tetrahedra = cube.tetrahedra;
+  const std::int32_t size = static_cast<std::int32_t>(cube.points.size());
+  for(const Eigen::Vector3d& p : cube.points)
+    points.push_back(p + Eigen::Vector3d(3 * n, 0, 0));
+  for(auto t : cube.tetrahedra) {
+    for(std::int32_t& v : t)
+      v += size;
+    tetrahedra.push_back(t);
+  }
+  FFM::Tetrahedral_domain volume;
+  std::string message;
+  BOOST_TEST((volume.load(points, tetrahedra, message) == FFM::Status::several_components));
+
+  Eigen::Matrix3d affine;
+  affine << 1.5, 0.4, 0, -0.2, 0.8, 0.3, 0.1, 0, 1.2;
+  const auto twisted = [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    const double angle = 1.6 * p[2] / n, x = p[0] - n / 2., y = p[1] - n / 2.;
+    return {std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, p[2]};
+  };
+  for(bool is_affine : {true, false}) {
+    std::vector<std::pair<std::size_t, std::array<double, 3>>> places;
+    for(std::int32_t v : boundary_vertices()) {
+      const Eigen::Vector3d p = is_affine ? Eigen::Vector3d(affine * points[v]) : twisted(points[v]);
+      places.push_back({static_cast<std::size_t>(v), {p[0], p[1], p[2]}});
+    }
+    std::vector<std::array<double, 3>> result(points.size());
+    const FFM::Morph_summary summary = FFM::morph_volume(volume, places, result.data());
+    BOOST_TEST(summary.is_valid());
+    BOOST_TEST(summary.flips == 0);
+    BOOST_TEST(summary.quality.min_scaled_jacobian > 0);
+    // The six tetrahedra of a cube around its diagonal have edges of 1, sqrt(2) and sqrt(3), and the determinant 1.
+    BOOST_TEST(summary.quality_before.min_scaled_jacobian == std::sqrt(2.) / std::sqrt(6.), boost::test_tools::tolerance(1e-9));
+    for(const auto& [v, place] : places)
+      BOOST_TEST((result[v] == place));
+    double error = 0, moved = 0;
+    for(std::int32_t v = 0; v < size; ++v) {
+      if(is_affine)
+        error = (std::max)(error, (affine * points[v] - Eigen::Map<const Eigen::Vector3d>(result[v].data())).norm());
+      moved = (std::max)(moved, (points[size + v] - Eigen::Map<const Eigen::Vector3d>(result[size + v].data())).norm());
+    }
+    BOOST_TEST(error < 1e-6);
+    BOOST_TEST(moved < 1e-12);
+  }
+
+  // One vertex at two places.
+  std::vector<std::pair<std::size_t, std::array<double, 3>>> places = {{0, {0, 0, 0}}, {0, {0, 0, 1}}};
+  std::vector<std::array<double, 3>> result(points.size(), {7, 7, 7});
+  const FFM::Morph_summary refused = FFM::morph_volume(volume, places, result.data());
+  BOOST_TEST((refused.status == FFM::Status::invalid_option));
+  BOOST_TEST((result[0] == std::array<double, 3>{7, 7, 7}));
+}
+
+BOOST_AUTO_TEST_CASE(scaled_jacobian_of_known_shapes)
+{
+  const Eigen::Vector3d a(1, 1, 1), b(1, -1, -1), c(-1, 1, -1), d(-1, -1, 1);
+  BOOST_TEST(FFM::scaled_jacobian(a, b, d, c) == 1, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(FFM::scaled_jacobian(a, b, c, d) == -1, boost::test_tools::tolerance(1e-12));
+  // The corner of a cube: determinant 1, largest product 2 at the other corners.
+  BOOST_TEST(FFM::scaled_jacobian({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}) == std::sqrt(2.) / 2, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(bad_input)

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_DEFORM_VOLUME_H
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/constraints/internal/Obstructions.h>
 #include <CGAL/Flip_free_maps/constraints/internal/repeated_handles.h>
 #include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
@@ -94,7 +95,9 @@ Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex>& volume, c
     }
     for(const auto& [i, j] : repeated_handles(constraints.fixed_vertices))
       if(exact_places[i].second != exact_places[j].second)
-        return fail(Status::invalid_option, TWO_TARGETS);
+        return fail(Status::invalid_option, TWO_TARGETS + (", as numbers " + std::to_string(i)) + " and " + std::to_string(j));
+    if(targets.allFinite() && Obstructions<3, typename Traits::Kernel>(domain, constraints.fixed_vertices, targets).find(summary))
+      return;
     typename Traits::template Minimizer<3, Traits> minimizer(domain, traits, constraints);
     minimizer.move_fixed_vertices(x, targets, summary);
     const auto is_on_its_way = [&](const auto& place) { return x.col(place.first) != targets.col(place.first); };
@@ -130,7 +133,8 @@ Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex>& volume, c
 ///
 /// \returns how it ended and what it cost: a valid map, or one of `empty_mesh`, `several_components` (each needs handles of its
 ///   own: deform them one by one), `invalid_option`, `unreachable_constraints`, `non_finite_input`, `linear_solver_failed`,
-///   `line_search_failed`, `result_not_representable` and `out_of_memory`
+///   `line_search_failed`, `result_not_representable` and `out_of_memory`. Where the targets alone exclude a map without flips
+///   it is said at once, by `Summary::impossible_elements` and `Summary::impossible_edges`.
 template <typename Vertex, typename Handles, typename VertexPointMap, typename Traits = Flip_free_map_traits<>>
 Summary deform_volume(const Volume_domain<Vertex>& volume, const Handles& handles, VertexPointMap result, const Traits& traits = Traits(),
                       const Deform_volume_options& options = Deform_volume_options())

@@ -9,18 +9,23 @@
 #define CGAL_FLIP_FREE_MAPS_REPAIR_MAP_H
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
+#include <CGAL/Flip_free_maps/constraints/internal/Obstructions.h>
 #include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/domains/Face_graph_domain.h>
 #include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
 #include <CGAL/Flip_free_maps/domains/internal/Triangle_surface.h>
+#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
+#include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/minimizer/polish_map.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/repair/Foldover_free.h>
+#include <CGAL/Flip_free_maps/repair/internal/Flip_region.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 #include <CGAL/Flip_free_maps/report/internal/name_faces_without_area.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
@@ -32,9 +37,11 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -98,14 +105,16 @@ struct Repair_options
   {
     splitting.stop_when_flip_free = true;
     splitting.max_iterations = 3000;
+    splitting.max_stalled_iterations = 50;
   }
 
   /// Settings of the first method, the splitting scheme with the symmetric gradient energy. Its `polish` is not used. When its
-  /// observer returns `false`, neither the second method nor the polish follows.
+  /// observer returns `false`, neither the second method nor the polish follows. `max_stalled_iterations` counts only where the
+  /// second method may follow, and ten times as many are granted in the plane.
   Splitting_options splitting;
-  /// Settings of the second method, tried when the first has failed.
+  /// Settings of the second method.
   Foldover_free_options foldover_free;
-  /// Whether the second method may be tried.
+  /// Whether the second method may be used.
   bool use_second_method = true;
   /// Whether the repaired map is handed to `Map_minimizer`: the first flip-free map still has elements that are almost collapsed.
   bool polish = true;
@@ -116,10 +125,184 @@ struct Repair_options
   bool is_valid(std::string* message = nullptr) const { return splitting.is_valid(message) && foldover_free.is_valid(message); }
 };
 
+namespace internal {
+
+// Lets both methods take turns until no element is flipped, each as long as it makes progress.
+template <int D, typename Traits>
+class Flip_removal
+{
+  using Kernel = typename Traits::Kernel;
+  using Tag = typename Traits::Concurrency_tag;
+
+public:
+  // Keeps references to the domain, the constraints and the options.
+  Flip_removal(const Simplicial_domain<D>& domain, const Traits& traits, const Position_constraints<D>& constraints,
+               const Repair_options& options)
+    : m_domain(domain), m_traits(traits), m_constraints(constraints), m_options(options)
+  {
+    m_schedule.build(domain.elements, domain.number_of_vertices);
+  }
+
+  // Whether the observer asked to stop.
+  bool is_stopped() const { return m_is_stopped; }
+
+  // Begins with the map `given`. Returns whether `x` and the summary have a valid map; otherwise the summary says why not.
+  bool run(const Positions<D>& given, Positions<D>& x, Summary& summary)
+  {
+    summary.vertices = m_domain.number_of_vertices;
+    summary.elements = m_domain.number_of_elements();
+    summary.dimension = D;
+    m_fewest = std::numeric_limits<std::int64_t>::max();
+    const bool is_usable = m_options.use_second_method && given.cols() == m_domain.number_of_vertices && given.allFinite();
+    if(D == 3 && is_usable && has_flips(given) && move_near_flips(given, x, summary))
+      return true;
+    Positions<D> start;
+    if(split(given, start, x, summary))
+      return true;
+    if(summary.status == Status::flips_remain)
+      summary.flipped_elements = m_flipped;
+    if(!is_usable || m_is_stopped || summary.status != Status::flips_remain)
+      return false;
+    const Summary after_splitting = summary;
+    // In space what is near the flips of the given map has moved already.
+    const bool is_new = D == 2 || (start.array() != given.array()).any();
+    if((is_new && move_near_flips(start, x, summary)) || move_all(given, x, summary)) {
+      summary.flipped_elements.clear();
+      return true;
+    }
+    fail(after_splitting, summary);
+    return false;
+  }
+
+private:
+  std::vector<std::int64_t> flipped(const Positions<D>& x) const
+  {
+    return m_schedule.template collect<Tag>([&](std::int64_t e) { return !is_positively_oriented<Kernel>(m_domain.elements[e], x); });
+  }
+
+  bool has_flips(const Positions<D>& x) const { return !flipped(x).empty(); }
+
+  void enter(const std::string& stage, Summary& summary) const { summary.start += summary.start.empty() ? stage : ", then " + stage; }
+
+  // The splitting scheme. `start` becomes its best map where flips remain.
+  bool split(const Positions<D>& given, Positions<D>& start, Positions<D>& x, Summary& summary)
+  {
+    using Splitting_traits = Repair_traits<Traits>;
+    Splitting_options splitting = m_options.splitting;
+    if(!m_options.use_second_method)
+      splitting.max_stalled_iterations = 0;
+    // In the plane iterations cost little, and the scheme succeeds after long plateaus.
+    else if(D == 2 && splitting.max_stalled_iterations <= splitting.max_iterations)
+      splitting.max_stalled_iterations *= 10;
+    if(m_options.splitting.observer)
+      splitting.observer = [&](const Splitting_report& report) {
+        m_is_stopped = !m_options.splitting.observer(report);
+        return !m_is_stopped;
+      };
+    x = start = given;
+    const int iterations = summary.iterations;
+    Splitting_minimizer<D, Splitting_traits> splitter(m_domain, Splitting_traits(m_traits), m_constraints, splitting);
+    splitter.split(x, given, summary, &start);
+    enter("splitting, " + std::to_string(summary.iterations - iterations) + " iterations", summary);
+    if(summary.status == Status::flips_remain)
+      keep(start);
+    return summary.is_valid();
+  }
+
+  // The regularised energy, all calls of which share the limit of time.
+  void descend(const Simplicial_domain<D>& domain, const Position_constraints<D>& constraints, Positions<D>& x, Summary& summary)
+  {
+    Foldover_free_options options = m_options.foldover_free;
+    options.max_seconds = (std::max)(0., options.max_seconds - m_seconds);
+    const Phase_timer timer(m_seconds);
+    Foldover_free<D, Traits>(domain, m_traits, constraints, options).reduce_flips(x, summary);
+  }
+
+  // The regularised energy near the flips of a map, and farther from them where that does not suffice.
+  bool move_near_flips(const Positions<D>& given, Positions<D>& x, Summary& summary)
+  {
+    x = given;
+    const int iterations = summary.iterations;
+    std::vector<std::int64_t> flips = flipped(x);
+    for(int rings = 2; rings <= MOST_RINGS && !flips.empty(); ++rings) {
+      Flip_region<D> region(m_domain, flips, m_constraints.fixed_vertices, rings);
+      Positions<D> part = region.positions(x), trial = x;
+      descend(region.domain, region.constraints, part, summary);
+      region.write(part, trial);
+      std::vector<std::int64_t> left = flipped(trial);
+      if(left.size() < flips.size()) {
+        x.swap(trial);
+        flips.swap(left);
+      } else if(rings > 2)
+        break;
+    }
+    enter("foldover-free energy near the flips, " + std::to_string(summary.iterations - iterations) + " steps", summary);
+    return conclude(flips, x, summary);
+  }
+
+  // The regularised energy everywhere, and once more near the flips that it leaves.
+  bool move_all(const Positions<D>& given, Positions<D>& x, Summary& summary)
+  {
+    x = given;
+    const int iterations = summary.iterations;
+    descend(m_domain, m_constraints, x, summary);
+    enter("foldover-free energy, " + std::to_string(summary.iterations - iterations) + " steps", summary);
+    if(conclude(flipped(x), x, summary))
+      return true;
+    const Positions<D> start = x;
+    return move_near_flips(start, x, summary);
+  }
+
+  bool conclude(const std::vector<std::int64_t>& flips, const Positions<D>& x, Summary& summary)
+  {
+    summary.flips = static_cast<std::int64_t>(flips.size());
+    summary.status = flips.empty() ? Status::success : Status::flips_remain;
+    summary.message = "no element is flipped";
+    keep(x);
+    return flips.empty();
+  }
+
+  // Remembers the flipped elements of the best map.
+  void keep(const Positions<D>& x)
+  {
+    std::vector<std::int64_t> flips = flipped(x);
+    if(static_cast<std::int64_t>(flips.size()) >= m_fewest)
+      return;
+    m_fewest = static_cast<std::int64_t>(flips.size());
+    m_flipped.swap(flips);
+  }
+
+  void fail(const Summary& after_splitting, Summary& summary)
+  {
+    summary.status = Status::flips_remain;
+    summary.flips = m_fewest;
+    summary.message = after_splitting.message + "; with the foldover-free energy " + std::to_string(m_fewest) + " are, as " +
+                      (D == 2 ? "triangle" : "tetrahedron") + " number " + std::to_string(m_flipped.front()) +
+                      ": the mesh may be too coarse there";
+    summary.flipped_elements = m_flipped;
+  }
+
+  static constexpr int MOST_RINGS = 4;
+
+  const Simplicial_domain<D>& m_domain;
+  Traits m_traits;
+  const Position_constraints<D>& m_constraints;
+  const Repair_options& m_options;
+  Element_coloring m_schedule;
+  std::vector<std::int64_t> m_flipped;
+  std::int64_t m_fewest = 0;
+  double m_seconds = 0; // spent by the regularised energy
+  bool m_is_stopped = false;
+};
+
+} // namespace internal
+
 /// \ingroup PkgFlipFreeMapsRef
-/// Turns any map into one without flipped elements: by the splitting scheme, stopped at its first iterate without flips (Stein,
-/// Li and Solomon 2022), where that fails by a regularised energy (Garanzha et al. 2021), and then minimises its distortion
-/// without flipping an element again. A map most of which is mirrored is mirrored first, if no position is constrained.
+/// Turns any map into one without flipped elements, and then minimises its distortion without flipping an element again. Two
+/// methods take turns: the splitting scheme, stopped at its first iterate without flips (Stein, Li and Solomon 2022), or when
+/// flips become no fewer, and a regularised energy (Garanzha et al. 2021), which moves what is near the flips and, where that
+/// fails, everything. In space, where the splitting needs many iterations, the energy near the flips is tried first, in the plane
+/// after the splitting. A map most of which is mirrored is mirrored first, if no position is constrained.
 ///
 /// All elements are positively oriented then, but where flips were many the map may turn twice around a vertex, and the elements
 /// around it overlap, see `Splitting_minimizer`.
@@ -132,8 +315,10 @@ struct Repair_options
 /// \param constraints fixed vertices keep their positions exactly
 /// \param options what is done
 /// \param traits the polish
-/// \returns what happened; `Summary::start` names the methods that were tried. When no method finds a map without flips, the
-///   status is `flips_remain`, and `Summary::flips` tells how many flipped elements the last method left. When the polish fails,
+/// \returns what happened; `Summary::start` names the methods that were tried. When the fixed vertices alone exclude a map without
+///   flips, nothing is tried: the status is `unreachable_constraints`, and `Summary::impossible_elements` or
+///   `Summary::impossible_edges` tell why. When no method finds a map without flips, the status is `flips_remain`, and
+///   `Summary::flipped_elements` are those of the best map. When the polish fails,
 ///   the map that it was given is the result, and `Summary::message` says so; if elements of that are as good as collapsed, with a
 ///   singular value below 1e-8, the status is `line_search_failed`. Other failures are those of
 ///   `Splitting_minimizer::minimize()`; settings of the polish that are out of range are `invalid_option` even if there is no
@@ -167,27 +352,14 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
     }
     const Positions<D> given = result;
 
-    using Splitting_traits = internal::Repair_traits<Traits>;
-    Splitting_options splitting = options.splitting;
-    bool is_stopped = false;
-    if(options.splitting.observer)
-      splitting.observer = [&](const Splitting_report& report) {
-        is_stopped = !options.splitting.observer(report);
-        return !is_stopped;
-      };
-    Splitting_minimizer<D, Splitting_traits> splitter(domain, Splitting_traits(traits), used, splitting);
-    splitter.split(result, given, summary);
-    summary.start = "splitting, " + std::to_string(summary.iterations) + " iterations";
-    if(summary.status == Status::flips_remain && options.use_second_method && !is_stopped) {
-      const int iterations = summary.iterations;
-      result = given;
-      Foldover_free<D, Traits>(domain, traits, used, options.foldover_free).remove_flips(result, summary);
-      summary.start += ", then foldover-free energy, " + std::to_string(summary.iterations - iterations) + " steps";
-    }
-    if(!summary.is_valid())
+    const bool is_usable = given.cols() == domain.number_of_vertices && given.allFinite();
+    if(is_usable && internal::Obstructions<D, typename Traits::Kernel>(domain, used.fixed_vertices, given).find(summary))
+      return;
+    internal::Flip_removal<D, Traits> removal(domain, traits, used, options);
+    if(!removal.run(given, result, summary))
       return;
 
-    if(options.polish && !is_stopped)
+    if(options.polish && !removal.is_stopped())
       internal::polish_repaired(domain, traits, used, result, summary);
     if(summary.is_valid())
       x = result;

@@ -63,6 +63,9 @@ struct Foldover_free_options
   int max_steps_per_level = 10;
   /// Values of the regularization.
   int max_levels = 100;
+  /// Stop when the fewest flips so far have not become fewer for this many values of the regularization in a row: then some
+  /// elements shrink along with it, and would do so forever.
+  int max_stalled_levels = 10;
   /// Stop after this many seconds of wall-clock time.
   double max_seconds = std::numeric_limits<double>::infinity();
 
@@ -71,8 +74,8 @@ struct Foldover_free_options
   {
     if(!(measure_weight >= 0) || !std::isfinite(measure_weight))
       return internal::fail(message, "measure_weight must be finite and not negative");
-    if(max_steps_per_level < 1 || max_levels < 1)
-      return internal::fail(message, "max_steps_per_level and max_levels must be at least 1");
+    if(max_steps_per_level < 1 || max_levels < 1 || max_stalled_levels < 1)
+      return internal::fail(message, "max_steps_per_level, max_levels and max_stalled_levels must be at least 1");
     if(!(max_seconds >= 0))
       return internal::fail(message, "max_seconds must not be negative");
     return true;
@@ -113,45 +116,55 @@ public:
   /// exact predicates; `x` is changed only then.
   bool remove_flips(Positions<D>& x, Summary& summary)
   {
+    Positions<D> result = x;
+    reduce_flips(result, summary);
+    if(summary.status != Status::success)
+      return false;
+    x.swap(result);
+    return true;
+  }
+
+  /// The same, but where flips remain `x` becomes the map with the fewest that was met.
+  void reduce_flips(Positions<D>& x, Summary& summary)
+  {
     summary.status = Status::flips_remain;
     if(!m_options.is_valid(&summary.message)) {
       summary.status = Status::invalid_option;
-      return false;
+      return;
     }
-    Positions<D> result = x;
     const Deadline deadline(m_options.max_seconds);
     const internal::Improving_work work;
     typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
     internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver);
     const auto reporting = solver.report_to(summary);
     std::string limit;
+    summary.flips = flips(x);
     try {
-      descend(solver, result, summary);
+      descend(solver, x, summary);
     } catch(const Interruption& interruption) {
       limit = std::string(interruption.what()) + ", and ";
     }
-    const std::int64_t flips = this->flips(result);
-    summary.flips = flips;
-    if(flips != 0) {
-      summary.message = limit + std::to_string(flips) + " elements are still flipped";
-      return false;
+    if(summary.flips != 0) {
+      summary.message = limit + std::to_string(summary.flips) + " elements are still flipped";
+      return;
     }
     summary.status = Status::success;
     summary.message = "no element is flipped";
-    x = result;
-    return true;
   }
 
 private:
-  // Minimises for smaller and smaller values of the regularization, until no element is flipped or none helps.
+  // Minimises for smaller and smaller values of the regularization, until no element is flipped or none helps. `x` becomes the map
+  // with the fewest flips, whose number the summary has.
   template <typename Solver>
-  void descend(Solver& solver, Positions<D>& result, Summary& summary)
+  void descend(Solver& solver, Positions<D>& x, Summary& summary)
   {
     m_matrix.build_pattern(m_row.size(), D, m_row.of(m_domain.elements));
     if(m_row.size() == 0 || !solver.analyze_pattern(m_matrix))
       return;
+    Positions<D> result = x;
     double epsilon = 1;
-    for(int level = 0; level<m_options.max_levels&& this->flips(result)> 0; ++level) {
+    int stalled = 0;
+    for(int level = 0; level < m_options.max_levels && summary.flips > 0 && stalled < m_options.max_stalled_levels; ++level) {
       const double least = least_determinant(result);
       // The paper's rule: wide enough for the worst element, and never wider than before.
       epsilon = (std::min)(epsilon, std::sqrt(1e-12 + 4e-2 * (std::min)(least, 0.) * (std::min)(least, 0.)));
@@ -166,8 +179,15 @@ private:
         if(previous - energy <= 1e-4 * energy)
           break;
       }
+      const std::int64_t flips = this->flips(result);
+      ++stalled;
+      if(flips < summary.flips) {
+        summary.flips = flips;
+        x = result;
+        stalled = 0;
+      }
       // Without progress a smaller epsilon is the only thing left to change.
-      if(before - energy <= 1e-6 * energy)
+      if(before - energy <= 1e-3 * energy)
         epsilon *= 0.5;
       if(epsilon < 1e-9)
         break;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/report/Outcome.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -90,6 +91,13 @@ struct Summary : Outcome
   std::int64_t faces_without_area = 0;
   std::vector<std::int64_t> first_faces_without_area; ///< the numbers of the first ten of them
 
+  /// Elements that no map can have without flips: all of their vertices are held.
+  std::vector<std::int64_t> impossible_elements;
+  /// Edges inside a solid whose ends are held on one flat side of the target.
+  std::vector<std::array<std::int32_t, 2>> impossible_edges;
+  /// Where flips remain: the flipped elements of the best map that was found.
+  std::vector<std::int64_t> flipped_elements;
+
   /// `true` when a stopping rule was met. A map is valid, but not converged, when a limit or the observer ended the run.
   bool converged() const { return status == Status::success; }
 
@@ -113,6 +121,9 @@ struct Summary : Outcome
     visit("faces_without_area", faces_without_area, faces_without_area > 0 ? Field_role::shown : DETAIL);
     visit("first_faces_without_area", first_faces_without_area, DETAIL);
     visit("bijective", is_bijective);
+    visit("impossible_elements", impossible_elements, DETAIL);
+    visit("impossible_edges", impossible_edges, DETAIL);
+    visit("flipped_elements", flipped_elements, DETAIL);
     visit("energy_initial", energy_initial);
     visit("energy", energy);
     visit("energy_of_terms", energy_of_terms, energy_of_terms != 0 ? Field_role::shown : DETAIL);

@@ -147,7 +147,9 @@ public:
 
   /// As `minimize()` without a polish, whatever the options say: a program that calls no other function is spared the compilation
   /// of `Map_minimizer`.
-  void split(Positions<D>& x, const Positions<D>& model, Summary& summary);
+  ///
+  /// \param fewest_flips if not null, receives the iterate with the fewest flipped elements when none was without
+  void split(Positions<D>& x, const Positions<D>& model, Summary& summary, Positions<D>* fewest_flips = nullptr);
 
 private:
   static void finish(Summary& summary, Status status, const std::string& message)
@@ -192,13 +194,17 @@ private:
     bool is_warm = false;
     bool is_factorized = false;
     bool wants_energy = false;
-    int adaptations = 0, interval = 0, next_adaptation = 0; // of penalties
+    int adaptations = 0, interval = 0, next_adaptation = 0;         // of penalties
+    std::int64_t fewest = std::numeric_limits<std::int64_t>::max(); // flips, and the iteration that had them first
+    int fewest_iteration = 0;
+    Positions<D>* fewest_flips = nullptr;
   };
 
-  void run(Positions<D>& x, const Positions<D>& model, Summary& summary)
+  void run(Positions<D>& x, const Positions<D>& model, Summary& summary, Positions<D>* fewest_flips)
   {
     const auto reporting = m_solver.report_to(summary);
     Run run(x, summary);
+    run.fewest_flips = fewest_flips;
     const Deadline deadline(m_options.max_seconds);
     try {
       const internal::Improving_work work;
@@ -208,6 +214,7 @@ private:
         update_elements(run);
         schedule_adaptation(run);
         keep_if_flip_free(run);
+        note_progress(run);
       }
     } catch(const Interruption& interruption) {
       finish(summary, interruption.status(), interruption.what());
@@ -262,6 +269,8 @@ private:
     run.adaptations = run.is_warm ? m_options.first_adaptations : 0;
     run.interval = m_options.adaptation_interval;
     run.next_adaptation = run.first_iteration + (run.is_warm ? run.interval : 1);
+    run.fewest_iteration = run.first_iteration;
+    note_progress(run);
     return true;
   }
 
@@ -290,8 +299,26 @@ private:
       return end(run.flips == 0 ? Status::success : Status::unreachable_constraints, "all vertices are fixed");
     if(summary.iterations - run.first_iteration >= m_options.max_iterations)
       return end(Status::iteration_limit, "the limit of iterations is reached");
+    if(has_stalled(run))
+      return end(Status::iteration_limit, "flipped elements become no fewer");
     const Status late = internal::deadline_status();
     return late != Status::success && end(late, Interruption(late).what());
+  }
+
+  void note_progress(Run& run) const
+  {
+    if(run.flips >= run.fewest)
+      return;
+    run.fewest = run.flips;
+    run.fewest_iteration = run.summary.iterations;
+    if(run.fewest_flips != nullptr)
+      *run.fewest_flips = run.x;
+  }
+
+  bool has_stalled(const Run& run) const
+  {
+    return m_options.max_stalled_iterations > 0 && run.fewest > 0 &&
+           run.summary.iterations - run.fewest_iteration >= m_options.max_stalled_iterations;
   }
 
   const Splitting_report& report(Run& run) const
@@ -473,7 +500,7 @@ void Splitting_minimizer<D, Traits, Step>::minimize(Positions<D>& x, const Posit
 }
 
 template <int D, typename Traits, typename Step>
-void Splitting_minimizer<D, Traits, Step>::split(Positions<D>& x, const Positions<D>& model, Summary& summary)
+void Splitting_minimizer<D, Traits, Step>::split(Positions<D>& x, const Positions<D>& model, Summary& summary, Positions<D>* fewest_flips)
 {
   summary.vertices = m_domain.number_of_vertices;
   summary.elements = m_domain.number_of_elements();
@@ -490,7 +517,7 @@ void Splitting_minimizer<D, Traits, Step>::split(Positions<D>& x, const Position
   }
   try {
     Positions<D> result = x;
-    run(result, model, summary);
+    run(result, model, summary, fewest_flips);
     if(summary.is_valid())
       x = std::move(result);
   } catch(const std::bad_alloc&) {

@@ -64,6 +64,9 @@ struct Splitting_options
   double target_energy = -std::numeric_limits<double>::infinity();
   /// Stop at the first iterate without flipped elements; the start counts.
   bool stop_when_flip_free = false;
+  /// Stop when the fewest flipped elements so far have not become fewer for this many iterations; 0 to go on. No rule of the
+  /// paper, which goes on: for callers that have another method to try.
+  int max_stalled_iterations = 0;
   /// Stop after this many iterations.
   int max_iterations = 5000;
   /// Stop after this many seconds of wall-clock time.
@@ -117,6 +120,8 @@ struct Splitting_options
       return internal::fail(message, "penalty_factor must be finite and above 1");
     if(!(penalty_ratio >= 1) || !std::isfinite(penalty_ratio))
       return internal::fail(message, "penalty_ratio must be finite and at least 1");
+    if(max_stalled_iterations < 0)
+      return internal::fail(message, "max_stalled_iterations must not be negative");
     if(first_adaptations < 0)
       return internal::fail(message, "first_adaptations must not be negative");
     if(adaptation_interval < 1 || largest_interval_with_flips < 1)
