@@ -109,8 +109,8 @@ struct Repair_options
   }
 
   /// Settings of the first method, the splitting scheme with the symmetric gradient energy. Its `polish` is not used. When its
-  /// observer returns `false`, neither the second method nor the polish follows. `max_stalled_iterations` counts only where the
-  /// second method may follow, and ten times as many are granted in the plane.
+  /// observer returns `false`, neither the second method nor the polish follows. `max_stalled_iterations` counts only in
+  /// space, and where the second method may follow.
   Splitting_options splitting;
   /// Settings of the second method.
   Foldover_free_options foldover_free;
@@ -189,11 +189,9 @@ private:
   {
     using Splitting_traits = Repair_traits<Traits>;
     Splitting_options splitting = m_options.splitting;
-    if(!m_options.use_second_method)
-      splitting.max_stalled_iterations = 0;
     // In the plane iterations cost little, and the scheme succeeds after long plateaus.
-    else if(D == 2 && splitting.max_stalled_iterations <= splitting.max_iterations)
-      splitting.max_stalled_iterations *= 10;
+    if(!m_options.use_second_method || D == 2)
+      splitting.max_stalled_iterations = 0;
     if(m_options.splitting.observer)
       splitting.observer = [&](const Splitting_report& report) {
         m_is_stopped = !m_options.splitting.observer(report);
