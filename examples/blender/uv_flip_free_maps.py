@@ -117,7 +117,7 @@ class ModuleEngine:
     def pack(self, triangles, uv, options, watch):
         with self._errors():
             result = self.module.pack(triangles, uv, rotate=options["rotate"], resolution=options["resolution"],
-                                      padding=options["padding"], dtype=np.float32)
+                                      padding=options["padding"])
         return np.float64(result.uv), _sentence(result.summary.charts, result.summary.to_dict(), True)
 
 
