@@ -330,7 +330,7 @@ private:
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
     Planar_solver<Traits, IsBijective> solver{traits};
     summary = parameterize_patch(
-      open.mesh, border, open.mesh.points(), uv_map, traits.options,
+      open.mesh, border, open.mesh.points(), uv_map, traits.options, true,
       [](const auto&, Planar_request& request, std::string&) {
         request.is_bijective = IsBijective;
         return Status::success;
