@@ -246,12 +246,11 @@ BOOST_AUTO_TEST_CASE(the_rest_stays)
 // What has an area is left as it is, however thin.
 BOOST_AUTO_TEST_CASE(clean_meshes)
 {
-  for(const bool is_thin : {false, true}) {
-    Soup soup = triangles(5, 0.5);
-    if(is_thin) {
-      add_cap(soup, 12);
-      soup.points.back()[1] += 1e-9;
-    }
+  Soup thin = triangles(5, 0.5);
+  add_cap(thin, 12);
+  thin.points.back()[1] += 1e-9;
+  const Soup thinnest{{{0, 0, 0}, {1, 1e-14, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}}, {{0, 1, 3}, {1, 2, 3}, {0, 2, 1}, {0, 4, 2}}};
+  for(const Soup& soup : {triangles(5, 0.5), thin, thinnest}) {
     Images uv, strictly;
     const FFM::Summary summary = FFM::parameterize(soup.points, soup.polygons, uv);
     BOOST_TEST(FFM::parameterize(soup.points, soup.polygons, strictly, parameters::strict(true)).is_valid());

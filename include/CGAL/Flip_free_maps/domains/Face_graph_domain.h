@@ -458,12 +458,12 @@ private:
     Positions<3> scaled = points.unaryExpr([exponent](double c) { return std::ldexp(c, -exponent); });
     cut_polygons(scaled);
     for(std::size_t e = 0; e < m_domain.elements.size(); ++e)
-      if(!internal::has_area(scaled, m_domain.elements[e]))
+      if(!internal::has_area(scaled, m_domain.elements[e], internal::LEAST_HEIGHT_IN_PATCH))
         m_flat.push_back(static_cast<std::int64_t>(e));
     if(m_flat.empty())
       return true;
     const Positions<3> before = scaled;
-    if(!internal::give_area(m_domain.elements, scaled))
+    if(!internal::give_area(m_domain.elements, scaled, internal::LEAST_HEIGHT_IN_PATCH))
       return false;
     for(Eigen::Index v = 0; v < points.cols(); ++v)
       if(scaled.col(v) != before.col(v)) {

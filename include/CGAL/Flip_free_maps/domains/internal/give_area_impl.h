@@ -32,12 +32,12 @@ struct Vertex_lift
   Vector<3> edge = Vector<3>::Zero();
 };
 
-CGAL_FLIP_FREE_MAPS_INLINE bool has_area(const Positions<3>& points, const std::array<std::int32_t, 3>& triangle)
+CGAL_FLIP_FREE_MAPS_INLINE bool has_area(const Positions<3>& points, const std::array<std::int32_t, 3>& triangle, double least_height)
 {
   const Vector<3> a = points.col(triangle[0]), b = points.col(triangle[1]), c = points.col(triangle[2]);
   const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
   const double coordinate = (std::max)({a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>(), c.lpNorm<Eigen::Infinity>()});
-  const double least = (std::max)(LEAST_HEIGHT * longest, 8 * std::numeric_limits<double>::epsilon() * coordinate);
+  const double least = (std::max)(least_height * longest, 8 * std::numeric_limits<double>::epsilon() * coordinate);
   return Vector<3>(b - a).cross(Vector<3>(c - a)).norm() > least * longest;
 }
 
@@ -63,12 +63,13 @@ CGAL_FLIP_FREE_MAPS_INLINE void lift_triangle(const std::array<std::int32_t, 3>&
 
 // Moves, of each triangle without area, the vertex opposite of its longest edge out of the surface, where it changes the other
 // triangles least; later all of them, anywhere. True if there still are such triangles.
-CGAL_FLIP_FREE_MAPS_INLINE bool move_vertices(const std::vector<std::array<std::int32_t, 3>>& triangles, int round, Positions<3>& points)
+CGAL_FLIP_FREE_MAPS_INLINE bool move_vertices(const std::vector<std::array<std::int32_t, 3>>& triangles, int round, double least_height,
+                                              Positions<3>& points)
 {
   std::vector<Vertex_lift> lifts(points.cols());
   std::vector<std::size_t> flat;
   for(std::size_t f = 0; f < triangles.size(); ++f)
-    if(!has_area(points, triangles[f])) {
+    if(!has_area(points, triangles[f], least_height)) {
       flat.push_back(f);
       lift_triangle(triangles[f], points, round, lifts);
     }
@@ -89,14 +90,15 @@ CGAL_FLIP_FREE_MAPS_INLINE bool move_vertices(const std::vector<std::array<std::
     const std::uint32_t noise = (static_cast<std::uint32_t>(v) + 1) * 2654435761u + static_cast<std::uint32_t>(round) * 40503u;
     points.col(v) += lifts[v].height * (1 + (noise >> 8) / 16777216.) * across.normalized();
   }
-  return std::any_of(flat.begin(), flat.end(), [&](std::size_t f) { return !has_area(points, triangles[f]); });
+  return std::any_of(flat.begin(), flat.end(), [&](std::size_t f) { return !has_area(points, triangles[f], least_height); });
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool give_area(const std::vector<std::array<std::int32_t, 3>>& triangles, Positions<3>& points)
+CGAL_FLIP_FREE_MAPS_INLINE bool give_area(const std::vector<std::array<std::int32_t, 3>>& triangles, Positions<3>& points,
+                                          double least_height)
 {
   constexpr int ROUNDS = 8;
   for(int round = 0; round < ROUNDS; ++round)
-    if(!move_vertices(triangles, round, points))
+    if(!move_vertices(triangles, round, least_height, points))
       return true;
   return false;
 }
