@@ -19,7 +19,6 @@
 #include <CGAL/Flip_free_maps/internal/for_each_index.h>
 #include <CGAL/Flip_free_maps/internal/for_each_index_watched.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
-#include <CGAL/Flip_free_maps/parameterization/internal/Bijective_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 #include <CGAL/Flip_free_maps/report/Deadline.h>
@@ -309,7 +308,6 @@ private:
   }
 
   // With 0 as the number of iterations the map is a start that has a convex border.
-  template <bool IsBijective = false>
   Summary flatten_piece(const Open_piece& open, Positions<2>& x, int max_iterations, Traits traits)
   {
     Summary summary;
@@ -328,14 +326,10 @@ private:
       traits.options.observer = nullptr; // who has said all
     std::vector<Point_2> uv(open.surface.points.cols());
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
-    Planar_solver<Traits, IsBijective> solver{traits};
+    Planar_solver<Traits> solver{traits};
     summary = parameterize_patch(
       open.mesh, border, open.mesh.points(), uv_map, traits.options, true,
-      [](const auto&, Planar_request& request, std::string&) {
-        request.is_bijective = IsBijective;
-        return Status::success;
-      },
-      [](Vertex, Vector<2>&) { return false; }, solver);
+      [](const auto&, Planar_request&, std::string&) { return Status::success; }, [](Vertex, Vector<2>&) { return false; }, solver);
     x.resize(2, uv.size());
     if(summary.is_valid())
       for(std::size_t v = 0; v < uv.size(); ++v)
@@ -432,8 +426,6 @@ private:
         flat.is_overlapping = flat.is_mapped && !draw_apart(open, flat.x, flat.overlap);
       }
       flat.worst = measure(piece, open, flat.x, chart);
-      if(flat.is_mapped && flat.is_overlapping && can_be_split(piece))
-        flatten_without_overlaps(piece, flat);
     }
     chart.seconds = wall_seconds() - begin;
   }
@@ -446,30 +438,6 @@ private:
       return;
     ++m_charts_ahead;
     m_faces_ahead += flat.chart.faces;
-  }
-
-  // Replaces a map that overlaps itself by one that does not, where that one is not too distorted, either.
-  void flatten_without_overlaps(const Piece& piece, Flat_piece& flat)
-  {
-    if(is_too_distorted(flat.chart) || is_late())
-      return;
-    Positions<2> x;
-    const Summary summary = flatten_piece<true>(flat.open, x, -1, m_traits);
-    std::pair<std::int32_t, std::int32_t> overlap;
-    if(!summary.is_valid() || !draw_apart(flat.open, x, overlap))
-      return;
-    Chart_summary chart = flat.chart;
-    const std::int32_t worst = measure(piece, flat.open, x, chart);
-    if(is_too_distorted(chart)) {
-      measure(piece, flat.open, flat.x, flat.chart);
-      return;
-    }
-    chart.message = summary.message;
-    chart.iterations += summary.iterations;
-    flat.chart = chart;
-    flat.worst = worst;
-    flat.is_overlapping = false;
-    flat.x.swap(x);
   }
 
   bool decide(Piece& piece, Flat_piece& flat)
