@@ -566,7 +566,7 @@ BOOST_AUTO_TEST_CASE(observed_charts_are_flattened_at_the_same_time)
     BOOST_TEST(told[i].faces_done <= told[i].faces);
     if(i == 0)
       continue;
-    BOOST_TEST(told[i].phase >= told[i - 1].phase);
+    BOOST_TEST((told[i].phase >= told[i - 1].phase));
     BOOST_TEST(told[i].faces_done >= told[i - 1].faces_done);
     most_at_once = (std::max)(most_at_once, told[i].charts_done - told[i - 1].charts_done);
   }
