@@ -94,6 +94,7 @@ BOOST_AUTO_TEST_CASE(names_of_statuses)
                                        "not_planar",
                                        "flips_remain",
                                        "not_bijective",
+                                       "interrupted",
                                        "unknown"};
   for(std::size_t i = 0; i < names.size(); ++i) {
     const Status status = static_cast<Status>(i);

@@ -97,6 +97,8 @@ protected:
 private:
   // Radians between faces that are one plane; and the part of a seam that may run across such.
   static constexpr double FLAT = 1e-4, MOST_ACROSS_PLANES = 0.1;
+  // Polygons of a half: crumbs are worse than empty places.
+  static constexpr std::int64_t LEAST_HALF = 8;
 
   // Replaces a chart by two, the second at the end, and tells whether that went well and how long the seam is.
   bool halve(std::size_t c, double& seam_length);

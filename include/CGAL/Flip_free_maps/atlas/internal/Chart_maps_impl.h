@@ -157,7 +157,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::halve(std::size_t c, double& seam_le
     summaries[i] = m_summary.charts[c];
     summaries[i].faces = number_of_polygons(parts[i].faces);
     measure(parts[i], part, x, summaries[i]);
-    if(is_too_distorted(summaries[i]))
+    if(is_too_distorted(summaries[i]) || summaries[i].faces < LEAST_HALF)
       return false;
     halves[i] = {part.surface.triangles, std::move(x), std::move(parts[i].faces)};
   }
