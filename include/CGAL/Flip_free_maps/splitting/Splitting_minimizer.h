@@ -148,6 +148,9 @@ public:
   /// As `minimize()` without a polish, whatever the options say: a program that calls no other function is spared the compilation
   /// of `Map_minimizer`.
   ///
+  /// \param x the start; the result, if the summary is valid
+  /// \param model the map near which the first iterate is to be
+  /// \param summary counts and times are added to it
   /// \param fewest_flips if not null, receives the iterate with the fewest flipped elements when none was without
   void split(Positions<D>& x, const Positions<D>& model, Summary& summary, Positions<D>* fewest_flips = nullptr);
 
