@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(charts_are_split_for_packing)
       missing.insert({i, j});
   Soup soup = sheet_soup(16, 16, missing);
   for(auto& p : soup.points)
-    p = Mesh::Point(p.x(), p.y(), 0.01 * (p.x() * p.x() + p.y() * p.y()));
+    p = Mesh::Point(p.x(), p.y(), 0.01 * (p.x() * p.x() + p.y() * p.y() + p.x() * p.y()));
   Atlas_surface angle(soup);
   FFM::Unwrap_options options;
   options.min_occupancy = 0;
@@ -483,10 +483,11 @@ BOOST_AUTO_TEST_CASE(polygons_for_files)
   BOOST_TEST(textured.points.size() == 12u);
   BOOST_TEST(textured.triangles.size() == 2u * 4 + 6 * 2);
   BOOST_TEST(FFM::is_bijective(textured));
-  // All of the surface is there: two L of area 5, and sides of height 1 and total length 12.
+  // All of the surface is there: two L of area 5, and sides of height 1 and total length 12. Where the border would touch itself it is
+  // moved by some millionths.
   const FFM::Distortion_report report = FFM::measure_distortion(textured);
   BOOST_TEST(std::abs(report.rest_area - 22) <= 1e-9);
-  BOOST_TEST(std::abs(report.image_area - 22 * summary.scale * summary.scale) <= 1e-6);
+  BOOST_TEST(std::abs(report.image_area - 22 * summary.scale * summary.scale) <= 2e-5);
 }
 
 BOOST_AUTO_TEST_CASE(limits)
