@@ -229,7 +229,7 @@ public:
     };
     internal::Planar_solver<Traits> solver{traits};
     const Summary summary = internal::parameterize_patch(
-      mesh, border_halfedge, vertex_points, uv_map, traits.options, false, prepare, [](vertex_descriptor, auto&) { return false; }, solver);
+      mesh, border_halfedge, vertex_points, uv_map, traits.options, true, prepare, [](vertex_descriptor, auto&) { return false; }, solver);
     if(summary.is_valid())
       for(vertex_descriptor v : written)
         put(vertex_parameterized_map, v, true);
