@@ -118,6 +118,7 @@ BOOST_AUTO_TEST_CASE(runs_end_on_the_rest_shape)
     BOOST_TEST(std::abs(energies.back() - symmetric_dirichlet<2>(domain, outcome.x)) <= 1e-11 * energies.back());
     BOOST_TEST(distorted_fraction(domain, outcome.x, 60) <= 0.01);
   }
+  traits.options.observer = nullptr;
   for(const char* name : {"pp+", "p-slim+"}) {
     traits.use_method(name);
     BOOST_TEST(distorted_fraction(domain, minimized(domain, traits).x, 60) == 0);
