@@ -44,6 +44,7 @@ class OutOfMemory(Error, MemoryError): ...
 class NotPlanar(Error): ...
 class FlipsRemain(Error): ...
 class NotBijective(Error): ...
+class Interrupted(Error): ...
 
 class Progress:
     iteration: int
@@ -123,9 +124,9 @@ def unwrap(
     cut_disks: bool | None = ...,
     feature_cost: float | None = ...,
     crease_preference: float | None = ...,
-    crease_angle: float | None = ...,
     max_stretch: float | None = ...,
     seam_angle: float | None = ...,
+    crease_angle: float | None = ...,
     max_length: float | None = ...,
     min_occupancy: float | None = ...,
     strict: bool | None = ...,
