@@ -48,9 +48,6 @@ private:
 
   // Of all edges: where nearly all are sharp there are no regions, the mesh is a coarse one of something round.
   static constexpr double SMALLEST_SMOOTH_PART = 0.25;
-  // Radians between faces that are not flat; and the part of faces that may be bent at all three sides: on rolled regions the lines
-  // about which they are bent do not meet, so there are none.
-  static constexpr double BENT = 0.05, LARGEST_ROUND_PART = 0.1;
   // Total curvature: what need not be unfolded, and what regions may have in themselves beside that between them.
   static constexpr double SMALLEST_CURVATURE = 0.1, LARGEST_SMOOTH_PART_OF_CURVATURE = 0.02;
   // Of the outlines of both regions.
@@ -63,9 +60,6 @@ private:
   std::int32_t neighbor(std::int32_t h) const { return m_surface.opposite[h] < 0 ? -1 : m_surface.opposite[h] / 3; }
 
   bool is_constructed() const;
-
-  // Whether regions are flat or rolled as far as single faces tell.
-  bool is_rolled() const;
 
   void find_regions();
 

@@ -77,21 +77,8 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_creases::is_constructed() const
   for(std::size_t v = 0; v < curvatures.size(); ++v)
     if(is_inner[v])
       (has_sharp_edge[v] ? at_sharp_edges : elsewhere) += std::abs(curvatures[v]);
-  return is_rolled() && sharp > 0 && static_cast<double>(smooth) >= SMALLEST_SMOOTH_PART * static_cast<double>(sharp + smooth) &&
+  return sharp > 0 && static_cast<double>(smooth) >= SMALLEST_SMOOTH_PART * static_cast<double>(sharp + smooth) &&
          at_sharp_edges >= SMALLEST_CURVATURE && elsewhere <= LARGEST_SMOOTH_PART_OF_CURVATURE * at_sharp_edges;
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE bool Chart_creases::is_rolled() const
-{
-  std::size_t round = 0;
-  for(std::int32_t e = 0; e < static_cast<std::int32_t>(m_elements.size()); ++e) {
-    const auto is_bent = [&](std::int32_t h) {
-      return neighbor(h) >= 0 && !m_is_sharp[h] && !m_surface.is_diagonal(h) &&
-             turning_angle(m_elements[e], m_elements[neighbor(h)], m_points) >= BENT;
-    };
-    round += is_bent(3 * e) && is_bent(3 * e + 1) && is_bent(3 * e + 2);
-  }
-  return static_cast<double>(round) <= LARGEST_ROUND_PART * static_cast<double>(m_elements.size());
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::find_regions()
