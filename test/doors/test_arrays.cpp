@@ -91,6 +91,13 @@ struct Cube : Sheet
   }
 };
 
+Triangles with_first_twice(const Sheet& sheet)
+{
+  Triangles result = sheet.triangles;
+  result.push_back(result.front());
+  return result;
+}
+
 // Calls `run(points, triangles)` with surfaces that are none.
 template <typename Run>
 void check_rejections(const Sheet& sheet, Run&& run)
@@ -104,9 +111,6 @@ void check_rejections(const Sheet& sheet, Run&& run)
   std::vector<Triple> points = sheet.points;
   points[4][1] = not_a_number;
   BOOST_TEST(run(points, sheet.triangles) == Status::non_finite_input);
-  Triangles twice = sheet.triangles;
-  twice.push_back(twice.front());
-  BOOST_TEST(run(sheet.points, twice) == Status::non_manifold);
   Triangles folded = sheet.triangles;
   folded[3][0] = folded[3][1];
   BOOST_TEST(run(sheet.points, folded) == Status::non_manifold);
@@ -159,8 +163,16 @@ BOOST_AUTO_TEST_CASE(planar_shapes)
   BOOST_TEST(FFM::deform(more, sheet.triangles, handles, result).converged());
   BOOST_TEST(result.back()[1] == 3);
 
+  // A face that is there twice counts once, unless it is to be refused.
+  std::vector<Pair> once;
+  BOOST_TEST(FFM::deform(sheet.points, sheet.triangles, handles, once).converged());
+  BOOST_TEST(FFM::deform(sheet.points, with_first_twice(sheet), handles, result).converged());
+  BOOST_TEST((result == once));
+
   const std::vector<Pair> before(3, Pair{1, 2});
   result = before;
+  BOOST_TEST(FFM::deform(sheet.points, with_first_twice(sheet), handles, result, np::strict(true)).status == Status::non_manifold);
+  BOOST_TEST((result == before));
   for(const int wrong : {-1, 35, 1000000}) {
     std::vector<std::pair<int, Pair>> elsewhere = handles;
     elsewhere[2].first = wrong;
@@ -295,6 +307,14 @@ BOOST_AUTO_TEST_CASE(maps_with_flips)
   BOOST_TEST(FFM::repair_map(sheet.points, sheet.triangles, rough, np::repair_options(options)).is_valid());
   BOOST_TEST((rough != uv));
 
+  // A face that is there twice counts once, unless it is to be refused.
+  std::vector<Pair> twice = before;
+  BOOST_TEST(FFM::repair_map(sheet.points, with_first_twice(sheet), twice).is_valid());
+  BOOST_TEST((twice == uv));
+  twice = before;
+  BOOST_TEST(FFM::repair_map(sheet.points, with_first_twice(sheet), twice, np::strict(true)).status == Status::non_manifold);
+  BOOST_TEST((twice == before));
+
   uv = before;
   check_rejections(sheet, [&](const auto& points, const auto& triangles) {
     std::vector<Pair> map(points.size(), Pair{0, 0});
@@ -349,6 +369,8 @@ BOOST_AUTO_TEST_CASE(seams)
     BOOST_TEST(FFM::cut_to_disk(cube.points, cube.triangles, seams).status == Status::invalid_option);
     BOOST_TEST(seams.size() == 1u);
   }
+  seams.clear();
+  BOOST_TEST(FFM::cut_to_disk(Sheet().points, with_first_twice(Sheet()), seams).status == Status::non_manifold);
   check_rejections(Sheet(), [&](const auto& points, const auto& triangles) {
     seams.clear();
     const Status status = FFM::cut_to_disk(points, triangles, seams).status;

@@ -309,7 +309,8 @@ Summary deform(const TriangleMesh& mesh, const Handles& handles, VertexPointMap2
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same for arrays. Points at the same place are one vertex if the faces would have several components otherwise.
+/// The same for arrays. Points at the same place are one vertex if the faces would have several components otherwise. Of faces that
+/// occur twice, one counts.
 ///
 /// \param points the points of the shape: a container with `operator[]`, as `std::vector`, of points in the plane, or in space with
 ///   the same third coordinate

@@ -484,7 +484,7 @@ Summary repair_map(const TriangleMesh& mesh, typename internal::Halfedge_of<Tria
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same for arrays. The component of the longest border is repaired.
+/// The same for arrays. The component of the longest border is repaired. Of faces that occur twice, one counts.
 ///
 /// \param points the points of the surface: a container with `operator[]`, as `std::vector`, of points in space
 /// \param polygons the faces: a container of containers of indices into `points`, of any number of corners, or of triples of them.
