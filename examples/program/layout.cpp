@@ -8,6 +8,7 @@
 #include "layout.h"
 
 #include "pictures/Layout_picture.h"
+#include "pictures/Texture_picture.h"
 
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 
@@ -28,8 +29,22 @@ void add_picture_options(CLI::App& command, Picture_arguments& arguments)
 {
   refuse_without_cairo(command.add_option("--svg", arguments.svg, "draw the result, coloured by distortion"));
   refuse_without_cairo(command.add_option("--png", arguments.png, "draw the result, coloured by distortion"));
+  add_picture_width(command, arguments);
+}
+
+void add_picture_width(CLI::App& command, Picture_arguments& arguments)
+{
   command.add_option("--picture-width", arguments.width, "width of the drawings in pixels")
     ->check(CLI::Range(320, 16000))
+    ->capture_default_str();
+}
+
+void add_surface_picture(CLI::App& command, Picture_arguments& arguments)
+{
+  refuse_without_cairo(command.add_option(
+    "--png3d", arguments.png3d, "draw the surface itself from four sides, with a checkerboard, seams in red and flips in magenta"));
+  command.add_option("--picture-up", arguments.up, "the axis that points upwards on the picture of --png3d")
+    ->check(CLI::IsMember({'x', 'y', 'z'}))
     ->capture_default_str();
 }
 
@@ -54,6 +69,18 @@ void write_pictures(const Picture_arguments& arguments, const std::string& title
     check(FFM::write_layout_SVG(arguments.svg, layout.texture, layout.texture_triangles, distortion, options, &message), message);
   if(!arguments.png.empty())
     check(FFM::write_layout_PNG(arguments.png, layout.texture, layout.texture_triangles, distortion, options, &message), message);
+  write_surface_picture(arguments, layout);
+}
+
+void write_surface_picture(const Picture_arguments& arguments, const FFM::Textured_mesh& layout)
+{
+  if(arguments.png3d.empty())
+    return;
+  FFM::Texture_picture_options options;
+  options.width = arguments.width;
+  options.up = {{arguments.up == 'x' ? 1. : 0., arguments.up == 'y' ? 1. : 0., arguments.up == 'z' ? 1. : 0.}};
+  std::string message;
+  check(FFM::write_textured_surface_PNG(arguments.png3d, layout, options, &message), message);
 }
 
 namespace {
@@ -92,7 +119,7 @@ void add_layout_options(CLI::App& command, Layout_arguments& arguments, const st
 std::vector<File_argument> files_of(const Surface_output& output, const Picture_arguments& pictures, const std::string& json)
 {
   std::vector<File_argument> files = files_of(output);
-  files.insert(files.end(), {{"--json", json}, {"--svg", pictures.svg}, {"--png", pictures.png}});
+  files.insert(files.end(), {{"--json", json}, {"--svg", pictures.svg}, {"--png", pictures.png}, {"--png3d", pictures.png3d}});
   return files;
 }
 

@@ -22,11 +22,12 @@
 
 namespace program {
 
-// The options of sub-commands that draw a layout.
+// The options of sub-commands that draw a layout, or the surface that has it as its texture.
 struct Picture_arguments
 {
-  std::string svg, png;
+  std::string svg, png, png3d;
   int width = 1200;
+  char up = 'y'; // of the surface
 };
 
 // Before anything is computed, not when the picture is due.
@@ -34,12 +35,20 @@ void refuse_without_cairo(CLI::Option* option);
 
 void add_picture_options(CLI::App& command, Picture_arguments& arguments);
 
+void add_picture_width(CLI::App& command, Picture_arguments& arguments);
+
+// The picture of the surface, which sub-commands have that write texture coordinates or measure them.
+void add_surface_picture(CLI::App& command, Picture_arguments& arguments);
+
 void write_pictures(const Picture_arguments& arguments, const std::string& input, const FFM::Textured_mesh& layout,
                     const std::vector<double>& distortion, const FFM::Summary& summary);
 
 // The same with a title.
 void write_pictures(const Picture_arguments& arguments, const std::string& title, const FFM::Textured_mesh& layout,
                     const std::vector<double>& distortion);
+
+// Draws the surface alone.
+void write_surface_picture(const Picture_arguments& arguments, const FFM::Textured_mesh& layout);
 
 // All files that a call writes, the surface first.
 std::vector<File_argument> files_of(const Surface_output& output, const Picture_arguments& pictures, const std::string& json);

@@ -13,6 +13,7 @@
 #include "support/volume_checks.h"
 
 #include "program/pictures/Surface_picture.h"
+#include "program/pictures/Texture_picture.h"
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CAIRO
 #include <cairo.h>
@@ -203,6 +204,109 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_drawn)
   std::string message;
   BOOST_TEST(!FFM::write_surface_PNG(directory.file("no/a.png"), {good}, FFM::Surface_picture_options(), &message));
   BOOST_TEST(!message.empty());
+}
+
+namespace {
+
+// A square of n x n, whose two halves have separate images if asked for, with the map (x, y) -> (u, v).
+template <typename Map>
+FFM::Textured_mesh textured_square(int n, bool has_seam, const Map& map)
+{
+  FFM::Textured_mesh mesh;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i) {
+      mesh.points.push_back({{2. * i / n - 1, 2. * j / n - 1, 0.}});
+      mesh.texture.push_back(map(mesh.points.back()[0], mesh.points.back()[1]));
+    }
+  const int size = static_cast<int>(mesh.points.size());
+  for(int k = 0; k < size && has_seam; ++k)
+    mesh.texture.push_back(mesh.texture[k]);
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, shift = has_seam && 2 * i >= n ? size : 0;
+      for(const std::array<int, 3>& t : {std::array<int, 3>{{a, a + 1, a + n + 2}}, std::array<int, 3>{{a, a + n + 2, a + n + 1}}}) {
+        mesh.triangles.push_back(t);
+        mesh.texture_triangles.push_back({{t[0] + shift, t[1] + shift, t[2] + shift}});
+      }
+    }
+  return mesh;
+}
+
+struct Colors
+{
+  int light = 0, dark = 0, red = 0, magenta = 0;
+};
+
+Colors colors_of(const FFM::Textured_mesh& mesh)
+{
+  const Directory directory;
+  FFM::Texture_picture_options options;
+  options.width = 800;
+  options.squares = 10;
+  std::string message;
+  BOOST_TEST_REQUIRE(FFM::write_textured_surface_PNG(directory.file("a.png"), mesh, options, &message), message);
+  const Picture picture(directory.file("a.png"));
+  BOOST_TEST((picture.width == 800 && picture.height == 600));
+  Colors colors;
+  for(const std::uint32_t pixel : picture.pixels) {
+    const int r = pixel >> 16, g = pixel >> 8 & 255, b = pixel & 255;
+    if(pixel == 0xFFFFFF)
+      continue;
+    if(g < r / 3)
+      ++(b > r / 2 ? colors.magenta : colors.red);
+    else
+      ++(r > b ? colors.light : colors.dark);
+  }
+  return colors;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(checkerboards_on_surfaces)
+{
+  using Place = std::array<double, 2>;
+  const auto same = [](double x, double y) { return Place{{x, y}}; };
+  const Colors whole = colors_of(textured_square(10, false, same));
+  BOOST_TEST(whole.magenta == 0);
+  BOOST_TEST(whole.light + whole.dark > 20000);
+  // Ten squares by ten are half light, half dark; but for what the lines along the border cover of them.
+  BOOST_TEST(std::abs(whole.light / double(whole.dark) - 1) < 0.1);
+  // The border is red, and so is the seam, a fourth as long.
+  const Colors halves = colors_of(textured_square(10, true, same));
+  BOOST_TEST(whole.red > 1000);
+  BOOST_TEST(halves.red > 1.2 * whole.red);
+  // Two lines of pixels, one for each side: twice as wide as the border's.
+  BOOST_TEST(halves.red < 1.7 * whole.red);
+  const Colors mirrored = colors_of(textured_square(10, false, [](double x, double y) { return Place{{-x, y}}; }));
+  BOOST_TEST(mirrored.light + mirrored.dark < 0.02 * (whole.light + whole.dark));
+  BOOST_TEST(mirrored.magenta > 0.9 * (whole.light + whole.dark));
+}
+
+BOOST_AUTO_TEST_CASE(textures_that_cannot_be_drawn)
+{
+  const Directory directory;
+  const std::string path = directory.file("a.png");
+  const auto fails = [&](const FFM::Textured_mesh& mesh, const FFM::Texture_picture_options& options, const char* part) {
+    std::string message;
+    return !FFM::write_textured_surface_PNG(path, mesh, options, &message) && contains(message, part) && !std::filesystem::exists(path);
+  };
+  const FFM::Textured_mesh good = textured_square(2, false, [](double x, double y) { return std::array<double, 2>{{x, y}}; });
+  FFM::Texture_picture_options options;
+  BOOST_TEST(fails(FFM::Textured_mesh(), options, "no triangle"));
+  FFM::Textured_mesh bad = good;
+  bad.texture_triangles.pop_back();
+  BOOST_TEST(fails(bad, options, "that of their images"));
+  bad = good;
+  bad.texture_triangles[3][1] = 9;
+  BOOST_TEST(fails(bad, options, "triangle 3"));
+  bad = good;
+  bad.texture[0][1] = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(fails(bad, options, "triangle 0"));
+  options.squares = 0;
+  BOOST_TEST(fails(good, options, "square"));
+  options = FFM::Texture_picture_options();
+  options.width = 0;
+  BOOST_TEST(fails(good, options, "width"));
 }
 
 #else

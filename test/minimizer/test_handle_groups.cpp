@@ -157,3 +157,36 @@ BOOST_AUTO_TEST_CASE(a_line_in_space_turns_as_little_as_it_can)
   BOOST_TEST(!is_last);
   BOOST_TEST((x + displacement - turned(0.5)).norm() <= 1e-12);
 }
+
+// Handles on a line say nothing of a turn around it: it turns by the angle between its directions, and not around itself.
+BOOST_AUTO_TEST_CASE(a_line_turns_by_the_least_angle)
+{
+  const Volume shape = bar(6, 1, 1, [](double u, double v, double w) { return Eigen::Vector3d(6 * u, v, w); });
+  const FFM::Simplicial_domain<3> domain = make_domain(shape);
+  const FFM::Positions<3> x = domain.scale * positions_of<3>(shape, domain.scale);
+  std::vector<std::int32_t> line;
+  for(std::int32_t v = 0; v < x.cols(); ++v)
+    if(x(1, v) == 0 && x(2, v) == 0)
+      line.push_back(v);
+  BOOST_TEST_REQUIRE(line.size() == 7u);
+  const FFM::internal::Handle_groups<3> groups(domain,
+                                               [&](std::int32_t v) { return std::find(line.begin(), line.end(), v) != line.end(); });
+  Eigen::Vector3d centre(0, 0, 0);
+  for(const std::int32_t v : line)
+    centre += x.col(v) / line.size();
+  for(const double angle : {1e-9, 0.7, 2., 3.14, CGAL_PI}) {
+    const Eigen::AngleAxisd turn(angle, Eigen::Vector3d(0, 0.6, 0.8));
+    FFM::Positions<3> targets = x, displacement = FFM::Positions<3>::Zero(3, x.cols());
+    for(const std::int32_t v : line)
+      targets.col(v) = centre + turn * (x.col(v) - centre);
+    bool is_last = false;
+    BOOST_TEST_REQUIRE(groups.next_displacement(x, targets, displacement, is_last));
+    BOOST_TEST(is_last == (angle < 0.5));
+    // After a round the line is as long as before, and has turned by its part of the angle, half a radian at most.
+    const Eigen::Vector3d before = x.col(line.back()) - x.col(line.front());
+    const Eigen::Vector3d after = before + displacement.col(line.back()) - displacement.col(line.front());
+    BOOST_TEST(std::abs(after.norm() / before.norm() - 1) <= 1e-8);
+    const double turned = std::atan2(before.cross(after).norm(), before.dot(after));
+    BOOST_TEST(std::abs(turned - (std::min)(angle, 0.5)) <= 1e-7);
+  }
+}

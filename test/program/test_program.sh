@@ -674,7 +674,11 @@ cp kept.obj kept_before.obj
 (ulimit -f 1; "$program" unwrap kept.obj -o kept.obj > out.txt 2> err.txt) 2> /dev/null
 check "an output that cannot be completed leaves the input" cmp -s kept.obj kept_before.obj
 rm -f kept.obj.*.tmp
-expect 0 unwrap sheet.off -o a.obj --json a.json --png a.png
+expect 0 unwrap sheet.off -o a.obj --json a.json --png a.png --png3d surface.png
+check "the surface is drawn" test -s surface.png
+expect 0 measure a.obj --png3d measured.png
+check "the same picture of what was written" cmp -s surface.png measured.png
+expect 2 measure a.obj --png3d a.obj
 check "no temporary files are left" test -z "$(ls -a | grep '\.tmp$')"
 
 # Numbers of vertices are those of the file, through any repair, and a byte order mark does not matter.

@@ -7,6 +7,7 @@
 
 #include "../Atlas.h"
 #include "../commands.h"
+#include "../layout.h"
 #include "../outputs.h"
 #include "../report.h"
 
@@ -32,11 +33,13 @@ public:
       ->required();
     add_uv_set(*app, m_uv_set);
     app->add_option("--json", m_json, "write the figures");
+    add_surface_picture(*app, m_picture);
+    add_picture_width(*app, m_picture);
   }
 
   int run() override
   {
-    const std::string reason = why_files_collide({{"", ""}, {"the input", m_input}}, {{"--json", m_json}});
+    const std::string reason = why_files_collide({{"", ""}, {"the input", m_input}}, {{"--json", m_json}, {"--png3d", m_picture.png3d}});
     if(!reason.empty())
       return refuse(reason);
     FFM::Distortion_report report;
@@ -59,6 +62,8 @@ public:
     json["faces_without_area"] = atlas.without_area;
     try {
       write_json(m_json, json);
+      if(is_measured)
+        write_surface_picture(m_picture, atlas.mesh);
     } catch(const Failure& failure) {
       std::cerr << "flip_free_maps: " << failure.message << '\n';
       return exit_code(failure.status);
@@ -101,6 +106,7 @@ private:
     report.flips = report.elements - std::count(state.begin(), state.end(), 1);
   }
 
+  Picture_arguments m_picture;
   std::string m_input, m_json;
   std::size_t m_uv_set = 0;
 };

@@ -34,6 +34,7 @@ public:
     app->add_option("--json", m_limits.json, "write the summary");
     app->add_flag("--quiet", m_limits.quiet, "print nothing but errors");
     add_picture_options(*app, m_pictures);
+    add_surface_picture(*app, m_pictures);
   }
 
   int run() override
@@ -94,7 +95,8 @@ private:
     Corner_images images = surface.images;
     copy_images(atlas, images);
     char title[200];
-    std::snprintf(title, sizeof title, "%s   %d islands", m_input.substr(m_input.rfind('/') + 1).c_str(), summary.charts);
+    std::snprintf(title, sizeof title, "%s   %d island%s", m_input.substr(m_input.rfind('/') + 1).c_str(), summary.charts,
+                  summary.charts == 1 ? "" : "s");
     write_pictures(m_pictures, title, atlas.mesh, distortion);
     add_note(summary.message, write_surface(m_output, surface, images));
   }

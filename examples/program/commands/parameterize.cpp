@@ -52,6 +52,7 @@ public:
     app->add_flag("--strict", m_strict,
                   "refuse polygons that are no triangles, faces without area, and points or faces that are there twice");
     add_picture_options(*app, m_layout.pictures);
+    add_surface_picture(*app, m_layout.pictures);
   }
 
   int run() override

@@ -132,6 +132,7 @@ public:
     app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
     add_limit_options(*app, m_method);
     add_picture_options(*app, m_layout.pictures);
+    add_surface_picture(*app, m_layout.pictures);
   }
 
   int run() override

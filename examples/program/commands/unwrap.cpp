@@ -93,6 +93,7 @@ public:
       ->excludes(repair);
     add_limit_options(*app, m_limits);
     add_picture_options(*app, m_pictures);
+    add_surface_picture(*app, m_pictures);
   }
 
   int run() override
@@ -185,7 +186,7 @@ private:
 
   void draw(const FFM::Unwrap_summary& summary, const Surface& surface, const Corner_images& images) const
   {
-    if(m_pictures.svg.empty() && m_pictures.png.empty())
+    if(m_pictures.svg.empty() && m_pictures.png.empty() && m_pictures.png3d.empty())
       return;
     const Atlas atlas = make_atlas(surface, images);
     FFM::Textured_mesh unscaled = atlas.mesh;
@@ -194,8 +195,8 @@ private:
     std::vector<double> distortion;
     FFM::measure_distortion(unscaled, &distortion);
     char title[200];
-    std::snprintf(title, sizeof title, "%s   %d charts, energy %.6f", m_input.substr(m_input.rfind('/') + 1).c_str(),
-                  static_cast<int>(summary.charts.size()), summary.energy);
+    std::snprintf(title, sizeof title, "%s   %d chart%s, energy %.6f", m_input.substr(m_input.rfind('/') + 1).c_str(),
+                  static_cast<int>(summary.charts.size()), summary.charts.size() == 1 ? "" : "s", summary.energy);
     write_pictures(m_pictures, title, atlas.mesh, distortion);
   }
 

@@ -56,6 +56,16 @@ public:
   // Corners in pixels, x to the right, y downwards, z towards the viewer; edges are darkened over `line_width` pixels.
   void draw(const Eigen::Matrix3d& corners, const Rgb& color, double line_width)
   {
+    const Rgb line{{0.62 * color[0], 0.62 * color[1], 0.62 * color[2]}};
+    draw(corners,
+         [&](const Eigen::Vector3d&, const Eigen::Vector3d& distances) { return distances.minCoeff() < line_width / 2 ? line : color; });
+  }
+
+  // The same; `color_at(weights, distances)` is the color of the point with these barycentric coordinates, that far from the three
+  // edges, each opposite to its corner.
+  template <typename ColorAt>
+  void draw(const Eigen::Matrix3d& corners, const ColorAt& color_at)
+  {
     const Eigen::Vector2d a = corners.col(0).head<2>(), b = corners.col(1).head<2>(), c = corners.col(2).head<2>();
     const double doubled_area = cross(b - a, c - a);
     if(!(std::abs(doubled_area) > 0))
@@ -66,23 +76,20 @@ public:
     const int first_row = (std::max)(0, static_cast<int>(std::floor(low[1] - 0.5)));
     const int last_row = (std::min)(m_rows - 1, static_cast<int>(std::ceil(high[1] - 0.5)));
     // A barycentric coordinate times these is the distance to an edge.
-    const double heights[3] = {std::abs(doubled_area) / (c - b).norm(), std::abs(doubled_area) / (a - c).norm(),
-                               std::abs(doubled_area) / (b - a).norm()};
-    const std::uint32_t fill = packed(color, 1), line = packed(color, 0.62);
+    const Eigen::Vector3d heights = std::abs(doubled_area) * Eigen::Vector3d((c - b).norm(), (a - c).norm(), (b - a).norm()).cwiseInverse();
     for(int j = first_row; j <= last_row; ++j) {
       for(int i = first_column; i <= last_column; ++i) {
         const Eigen::Vector2d p(i + 0.5, j + 0.5);
-        const double w[3] = {cross(c - b, p - b) / doubled_area, cross(a - c, p - c) / doubled_area, cross(b - a, p - a) / doubled_area};
+        const Eigen::Vector3d w = Eigen::Vector3d(cross(c - b, p - b), cross(a - c, p - c), cross(b - a, p - a)) / doubled_area;
         // The tolerance leaves no holes between neighbors.
-        if(w[0] < -1e-6 || w[1] < -1e-6 || w[2] < -1e-6)
+        if(!(w.minCoeff() >= -1e-6))
           continue;
-        const float depth = static_cast<float>(w[0] * corners(2, 0) + w[1] * corners(2, 1) + w[2] * corners(2, 2));
+        const float depth = static_cast<float>(corners.row(2).dot(w));
         const std::size_t pixel = std::size_t(j) * m_columns + i;
         if(!(depth > m_depth[pixel]))
           continue;
         m_depth[pixel] = depth;
-        const double distance = (std::min)({w[0] * heights[0], w[1] * heights[1], w[2] * heights[2]});
-        m_color[pixel] = distance < line_width / 2 ? line : fill;
+        m_color[pixel] = packed(color_at(w, heights.cwiseProduct(w)));
       }
     }
   }
@@ -111,11 +118,11 @@ public:
 private:
   static double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-  static std::uint32_t packed(const Rgb& color, double factor)
+  static std::uint32_t packed(const Rgb& color)
   {
     std::uint32_t result = 0;
     for(const double c : color)
-      result = (result << 8) | static_cast<std::uint32_t>(std::lround(255 * (std::min)(1., (std::max)(0., c * factor))));
+      result = (result << 8) | static_cast<std::uint32_t>(std::lround(255 * (std::min)(1., (std::max)(0., c))));
     return result;
   }
 

@@ -93,13 +93,22 @@ private:
     return result;
   }
 
+  // The rotation by the least angle that takes a unit vector to another: half a turn about the first, which keeps it, and another one
+  // about the middle of both. (Eigen's quaternions compute it by a decomposition that takes seconds to compile.)
+  static Matrix<3> least_turn(const Vector<3>& a, const Vector<3>& b)
+  {
+    const Vector<3> sum = a + b, middle = sum.norm() > 1e-8 ? Vector<3>(sum.normalized()) : Vector<3>(a.unitOrthogonal());
+    const Matrix<3> one = Matrix<3>::Identity();
+    return (2 * middle * middle.transpose() - one) * (2 * a * a.transpose() - one);
+  }
+
   // The rotation that maximises the product with the decomposed matrix; where many do, the one with the least angle.
   static Matrix<3> nearest_rotation(const Signed_svd<D>& svd)
   {
     // Handles on a line, or such targets, say nothing of a rotation around it: what there is of it is rounding.
     if constexpr(D == 3) {
       if(svd.s[1] <= RANK_TOLERANCE * svd.s[0])
-        return Eigen::Quaterniond::FromTwoVectors(svd.V.col(0), svd.U.col(0)).toRotationMatrix();
+        return least_turn(svd.V.col(0), svd.U.col(0));
     }
     Matrix<3> rotation = Matrix<3>::Identity();
     rotation.template topLeftCorner<D, D>() = svd.U * svd.V.transpose();
