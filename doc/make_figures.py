@@ -236,7 +236,7 @@ def curves(maker):
 
     figure, axes = pyplot.subplots(figsize=(8, 4.5), dpi=100)
     energies = {}
-    for method in ("pp", "cm", "slim", "akvf", "newton", "aqp"):
+    for method in ("pp", "cm", "slim", "akvf", "aqp"):
         trace = maker.file(method + ".csv")
         maker.run("parameterize", maker.mesh("lion-head.off"), "--method", method, "--start", "tutte", "--trace", trace,
                   "--max-iterations", "300", may_fail=True)
