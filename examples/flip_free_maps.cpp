@@ -21,8 +21,8 @@ int main(int argc, char** argv)
   app.footer(program::exit_codes_text());
   app.set_version_flag("--version", "flip_free_maps " CGAL_FLIP_FREE_MAPS_VERSION);
   std::unique_ptr<program::Command> commands[] = {
-    program::parameterize_command(app), program::unwrap_command(app),  program::deform_command(app), program::repair_command(app),
-    program::map_volume_command(app),   program::measure_command(app), program::pack_command(app)};
+    program::parameterize_command(app), program::unwrap_command(app), program::deform_command(app),  program::repair_command(app),
+    program::map_volume_command(app),   program::morph_command(app),  program::measure_command(app), program::pack_command(app)};
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {

@@ -29,6 +29,7 @@ std::unique_ptr<Command> unwrap_command(CLI::App& app);
 std::unique_ptr<Command> deform_command(CLI::App& app);
 std::unique_ptr<Command> repair_command(CLI::App& app);
 std::unique_ptr<Command> map_volume_command(CLI::App& app);
+std::unique_ptr<Command> morph_command(CLI::App& app);
 std::unique_ptr<Command> measure_command(CLI::App& app);
 std::unique_ptr<Command> pack_command(CLI::App& app);
 

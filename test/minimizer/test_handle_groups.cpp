@@ -158,10 +158,10 @@ BOOST_AUTO_TEST_CASE(a_line_in_space_turns_as_little_as_it_can)
   BOOST_TEST((x + displacement - turned(0.5)).norm() <= 1e-12);
 }
 
-// Handles on a line say nothing of a turn around it: it turns by the angle between its directions, and not around itself.
-BOOST_AUTO_TEST_CASE(a_line_turns_by_the_least_angle)
+// Opposite directions do not tell the axis: any one that is orthogonal to them will do.
+BOOST_AUTO_TEST_CASE(a_line_in_space_turns_round)
 {
-  const Volume shape = bar(6, 1, 1, [](double u, double v, double w) { return Eigen::Vector3d(6 * u, v, w); });
+  const Volume shape = bar(6, 1, 1, [](const Eigen::Vector3d& p) { return p; });
   const FFM::Simplicial_domain<3> domain = make_domain(shape);
   const FFM::Positions<3> x = domain.scale * positions_of<3>(shape, domain.scale);
   std::vector<std::int32_t> line;
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(a_line_turns_by_the_least_angle)
   Eigen::Vector3d centre(0, 0, 0);
   for(const std::int32_t v : line)
     centre += x.col(v) / line.size();
-  for(const double angle : {1e-9, 0.7, 2., 3.14, CGAL_PI}) {
+  for(const double angle : {1e-9, 3.14, CGAL_PI - 1e-9, CGAL_PI}) {
     const Eigen::AngleAxisd turn(angle, Eigen::Vector3d(0, 0.6, 0.8));
     FFM::Positions<3> targets = x, displacement = FFM::Positions<3>::Zero(3, x.cols());
     for(const std::int32_t v : line)

@@ -964,6 +964,31 @@ check "map-volume: nothing to be found" close "$(value again.json iterations)" 0
 vertices_of bar.mesh | awk '{ print NR - 1, -$1, $2, $3 }' > mirrored.handles
 rm -f bad.mesh
 expect 12 map-volume bar.mesh mirrored.handles -o bad.mesh --json bad.json
+
+# The boundary of the bent bar in all ways in which it can be given: they are the same.
+expect 0 morph bar.mesh --handles surface.handles -o morphed.mesh --json morphed.json
+check "morph: flips" test "$(value morphed.json flips)" = 0
+check "morph: the surface arrives" arrive morphed.mesh surface.handles
+check "morph: the shapes before" less 0.1 "$(tr -d '\n' < morphed.json | sed 's/.*"quality_before": *{[^}]*"min_scaled_jacobian": *\([^,}]*\).*/\1/')"
+expect 0 morph bar.mesh --to one_bar.mesh -o morphed_2.mesh
+check "morph: the boundary of a solid" cmp -s morphed.mesh morphed_2.mesh
+vertices_of bar.mesh | tac > rest.txt
+vertices_of one_bar.mesh | tac > moved.txt
+for name in rest moved; do
+  # Without the inner vertices, from the last to the first.
+  { echo OFF; echo "$(awk '{ print $2 }' surface.handles | wc -l) 1 0"
+    paste -d ' ' rest.txt "$name.txt" | awk '!($2 == 0.5 && $3 == 0.5 && $1 > 0 && $1 < last) { print $(NF - 2), $(NF - 1), $NF }' \
+      last="$(vertices_of bar.mesh | awk '$1 > last { last = $1 } END { print last }')"
+    echo "3 0 1 2"; } > "surface_$name.off"
+done
+expect 0 morph bar.mesh --from surface_rest.off --to surface_moved.off -o morphed_3.mesh
+check "morph: a surface elsewhere in order" cmp -s morphed.mesh morphed_3.mesh
+expect 17 morph bar.mesh --from surface_rest.off --to bar.off -o bad.mesh
+expect 16 morph bar.mesh --from surface_moved.off --to surface_moved.off -o bad.mesh
+for arguments in '' '--from surface_rest.off' '--to one_bar.mesh --handles surface.handles' '--displacement d --to one_bar.mesh'; do
+  expect 2 morph bar.mesh $arguments -o bad.mesh
+done
+check "morph: nothing was written" test ! -e bad.mesh
 expect 17 map-volume bar.mesh no_such_file.obj -o bad.mesh
 expect 17 map-volume broken.mesh surface.handles -o bad.mesh
 check "errors give no solid" test ! -e bad.mesh
@@ -986,6 +1011,14 @@ check "fields are replaced, not added" test "$(grep -c 'Name="displacement"' aga
 # Of an affine map all values are known.
 vertices_of bar.mesh | awk '{ print NR - 1, 2 * $1 + 3, $2, $3 }' > affine.handles
 expect 0 map-volume bar.mesh affine.handles -o affine.vtk --encoding ascii
+# Displaced by the same once more: the boundary, and hence the inside.
+expect 0 morph affine.vtk --displacement displacement -o twice.mesh --energy symmetric-dirichlet --no-polish
+check "morph: displacements" awk '
+  NR == FNR { x[FNR] = $1; y[FNR] = $2; z[FNR] = $3; next }
+  { a = 3 * x[FNR] + 6 - $1; b = y[FNR] - $2; c = z[FNR] - $3; if(a * a + b * b + c * c > 1e-14) failed = 1 }
+  END { exit failed || FNR == 0 }' <(vertices_of bar.mesh) <(vertices_of twice.mesh)
+expect 17 morph affine.vtk --displacement nothing -o bad.mesh
+check "morph: names of arrays" grep -q "it has .*'displacement'" err.txt
 check "values of an affine map" awk '
   function wrong(value, right) { if(value - right > 1e-7 || right - value > 1e-7) { print name ": " value; failed = 1 } }
   /^POINTS/ { n = $2; name = "points"; next }

@@ -19,6 +19,9 @@
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_mesh.h>
 
+#include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -48,8 +51,15 @@ void check_solid_output(const Deform_arguments& arguments, const Volume_file& fi
 // Fills a closed surface with tetrahedra.
 FFM::Tetrahedral_mesh tetrahedralized(const Mesh& surface, double cell_size);
 
+std::vector<Kernel::Point_3> points_of(const FFM::Tetrahedral_mesh& mesh);
+
 // Handles by the numbers of the vertices in the file of the solid, which may have vertices of no tetrahedron.
 FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume);
+
+// Vertices of a solid and the places that a file has for them: a file .handles, or a surface (OFF, OBJ or PLY) whose vertex k is where
+// vertex k of the solid goes; vertices of no tetrahedron are left out.
+std::vector<std::pair<std::size_t, Kernel::Point_3>> read_places(const std::string& path, const std::string& input,
+                                                                 const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume);
 
 // Deforms a solid, writes it and draws it.
 void deform_solid(const Deform_arguments& arguments, Solid_input input, FFM::Summary& summary);

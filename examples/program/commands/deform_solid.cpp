@@ -85,6 +85,14 @@ void check_solid_output(const Deform_arguments& arguments, const Volume_file& fi
   check(reason.empty(), reason);
 }
 
+std::vector<Kernel::Point_3> points_of(const FFM::Tetrahedral_mesh& mesh)
+{
+  std::vector<Kernel::Point_3> result;
+  for(const auto& p : mesh.points)
+    result.emplace_back(p[0], p[1], p[2]);
+  return result;
+}
+
 FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume)
 {
   FFM::Positions<3> points(3, mesh.points.size());
@@ -97,6 +105,26 @@ FFM::Handles<3> read_solid_handles(const std::string& path, const FFM::Tetrahedr
   std::string message;
   check(FFM::read_handles<3>(path, points, handles, &message, is_used), message);
   return handles;
+}
+
+std::vector<std::pair<std::size_t, Kernel::Point_3>> read_places(const std::string& path, const std::string& input,
+                                                                 const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume)
+{
+  std::vector<std::pair<std::size_t, Kernel::Point_3>> places;
+  if(small_extension(path) == ".handles") {
+    const FFM::Handles<3> read = read_solid_handles(path, mesh, volume);
+    for(std::size_t i = 0; i < read.vertices.size(); ++i)
+      places.emplace_back(read.vertices[i], Kernel::Point_3(read.targets(0, i), read.targets(1, i), read.targets(2, i)));
+    return places;
+  }
+  Polygon_file surface;
+  const std::string error = read_polygon_file(path, surface);
+  check(error.empty(), error);
+  check(surface.points.size() <= mesh.points.size(), path + " has more vertices than " + input);
+  for(std::size_t v = 0; v < surface.points.size(); ++v)
+    if(volume.number(v) >= 0)
+      places.emplace_back(v, Kernel::Point_3(surface.points[v][0], surface.points[v][1], surface.points[v][2]));
+  return places;
 }
 
 void deform_solid(const Deform_arguments& arguments, Solid_input input, FFM::Summary& summary)
@@ -117,9 +145,7 @@ void deform_solid(const Deform_arguments& arguments, Solid_input input, FFM::Sum
   for(std::size_t i = 0; i < read.vertices.size(); ++i)
     handles.emplace_back(read.vertices[i], Kernel::Point_3(read.targets(0, i), read.targets(1, i), read.targets(2, i)));
 
-  std::vector<Kernel::Point_3> result;
-  for(const auto& p : mesh.points)
-    result.emplace_back(p[0], p[1], p[2]);
+  std::vector<Kernel::Point_3> result = points_of(mesh);
   const auto reporter = std::make_shared<Reporter>(arguments.method);
   FFM::Any_map_traits traits = make_traits(arguments.method);
   set_options(arguments.method, reporter, traits.options);

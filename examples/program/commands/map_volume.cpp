@@ -77,17 +77,21 @@ private:
       check(start.points.size() == mesh.points.size(), m_arguments.start + " has another number of vertices than " + m_arguments.input);
       result = points_of(start);
     }
-    const std::vector<std::int32_t> boundary = read_target(mesh, volume, result);
+    const auto places = read_places(m_arguments.handles, m_arguments.input, mesh, volume);
+    std::vector<std::int32_t> boundary;
+    std::vector<std::size_t> handles;
+    std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
+    for(const auto& [v, place] : places) {
+      result[v] = place;
+      handles.push_back(v);
+      boundary.push_back(volume.number(v));
+      exact_places.emplace_back(boundary.back(), Eigen::Vector3d(place.x(), place.y(), place.z()));
+    }
 
     FFM::Positions<3> x(3, volume.vertices().size());
-    std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
     for(std::size_t v = 0; v < volume.vertices().size(); ++v) {
       const Kernel::Point_3& p = result[volume.vertices()[v]];
       x.col(v) = volume.to_domain(Eigen::Vector3d(p.x(), p.y(), p.z()));
-    }
-    for(std::int32_t v : boundary) {
-      const Kernel::Point_3& p = result[volume.vertices()[v]];
-      exact_places.emplace_back(v, Eigen::Vector3d(p.x(), p.y(), p.z()));
     }
     FFM::Repair_options options;
     options.polish = !m_no_polish;
@@ -105,45 +109,7 @@ private:
     const Status written = volume.write_back(x, CGAL::make_property_map(result), message, exact_places);
     if(written != Status::success)
       throw Failure{written, message};
-    std::vector<std::size_t> handles;
-    for(const std::int32_t v : boundary)
-      handles.push_back(volume.vertices()[v]);
     write_solid(m_arguments, std::move(input), volume, result, handles, summary);
-  }
-
-  static std::vector<Kernel::Point_3> points_of(const FFM::Tetrahedral_mesh& mesh)
-  {
-    std::vector<Kernel::Point_3> result;
-    for(const auto& p : mesh.points)
-      result.emplace_back(p[0], p[1], p[2]);
-    return result;
-  }
-
-  // Enters the places of the vertices that have one, and returns their numbers in the domain.
-  std::vector<std::int32_t> read_target(const FFM::Tetrahedral_mesh& mesh, const FFM::Tetrahedral_domain& volume,
-                                        std::vector<Kernel::Point_3>& result) const
-  {
-    if(small_extension(m_arguments.handles) == ".handles") {
-      const FFM::Handles<3> read = read_solid_handles(m_arguments.handles, mesh, volume);
-      std::vector<std::int32_t> boundary;
-      for(std::size_t i = 0; i < read.vertices.size(); ++i) {
-        result[read.vertices[i]] = Kernel::Point_3(read.targets(0, i), read.targets(1, i), read.targets(2, i));
-        boundary.push_back(volume.number(read.vertices[i]));
-      }
-      return boundary;
-    }
-    Polygon_file target;
-    const std::string error = read_polygon_file(m_arguments.handles, target);
-    check(error.empty(), error);
-    const auto& points = target.points;
-    check(points.size() <= mesh.points.size(), m_arguments.handles + " has more vertices than " + m_arguments.input);
-    std::vector<std::int32_t> boundary;
-    for(std::size_t v = 0; v < points.size(); ++v) {
-      result[v] = Kernel::Point_3(points[v][0], points[v][1], points[v][2]);
-      if(volume.number(v) >= 0)
-        boundary.push_back(volume.number(v));
-    }
-    return boundary;
   }
 
   Deform_arguments m_arguments;

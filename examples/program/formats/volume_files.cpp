@@ -262,21 +262,15 @@ std::string write_volume_file(const std::string& path, const Volume_file& file, 
   return write_content(path, new_text(format, file, chosen));
 }
 
-std::string read_point_array(const std::string& path, const std::string& name, Data_array& array)
+std::string find_point_array(const Volume_file& file, const std::string& name, const Data_array*& array)
 {
-  Volume_file file;
-  const std::string error = read_volume_file(path, file);
-  if(!error.empty())
-    return error;
-  const Data_array* found = find_array(file.point_data, name);
-  if(found != nullptr) {
-    array = *found;
+  array = find_array(file.point_data, name);
+  if(array != nullptr)
     return "";
-  }
   std::string names;
   for(const Data_array& other : file.point_data)
     names += (names.empty() ? ": " : ", ") + internal::quoted_word(other.name);
-  return path + " has no values " + internal::quoted_word(name) + " at its points; it has " +
+  return file.path + " has no values " + internal::quoted_word(name) + " at its points; it has " +
          (names.empty() ? "none" : std::to_string(file.point_data.size()) + names);
 }
 

@@ -45,8 +45,8 @@ std::string why_volume_not_written(const std::string& path, const Volume_file& f
 std::string write_volume_file(const std::string& path, const Volume_file& file, std::optional<Volume_encoding> encoding = std::nullopt);
 
 // The values at the points of a file that have this name. Returns the empty string, or the reason of a failure, which lists the names
-// that there are; `array` is unchanged then.
-std::string read_point_array(const std::string& path, const std::string& name, Data_array& array);
+// that there are; `array` is null then.
+std::string find_point_array(const Volume_file& file, const std::string& name, const Data_array*& array);
 
 } // namespace program
 
