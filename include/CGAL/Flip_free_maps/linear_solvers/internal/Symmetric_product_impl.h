@@ -57,14 +57,21 @@ void Symmetric_product::multiply_blocks(const double* x, double* product) const
       }
       return;
     }
-    double sum[b] = {};
+    // Sums that are no memory are free of stores that might change what is read next.
+    double at_v[b], sum_v[b] = {};
     for(int j = 0; j < b; ++j)
-      for(int i = 0; i < b; ++i) {
-        to_w[i] += block[j][i] * from_v[j];
-        sum[j] += block[j][i] * from_w[i];
+      at_v[j] = from_v[j];
+    for(int i = 0; i < b; ++i) {
+      const double at_w = from_w[i];
+      double sum_w = to_w[i];
+      for(int j = 0; j < b; ++j) {
+        sum_w += block[j][i] * at_v[j];
+        sum_v[j] += block[j][i] * at_w;
       }
+      to_w[i] = sum_w;
+    }
     for(int j = 0; j < b; ++j)
-      to_v[j] += sum[j];
+      to_v[j] += sum_v[j];
   });
 }
 
