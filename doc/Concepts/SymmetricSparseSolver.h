@@ -21,9 +21,11 @@ tries others with a larger diagonal.
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Flip_free_maps::Any_linear_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Automatic_solver}
+\cgalHasModels{CGAL::Flip_free_maps::Block_jacobi}
 \cgalHasModels{CGAL::Flip_free_maps::Cholmod_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Conjugate_gradient_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Eigen_simplicial_solver}
+\cgalHasModels{CGAL::Flip_free_maps::Incomplete_cholesky}
 \cgalHasModels{CGAL::Flip_free_maps::Sparse_linear_algebra_solver}
 \cgalHasModelsEnd
 

@@ -123,6 +123,39 @@ BOOST_AUTO_TEST_CASE(blocks_that_are_not_positive_definite_are_refused)
   BOOST_TEST(!solver.factorize(system.matrix));
   Eigen::VectorXd x;
   BOOST_TEST(!solver.solve(system.right, x));
+  BOOST_TEST(!FFM::Block_jacobi<3>().analyze_pattern(system.matrix));
+}
+
+// A direction of descent all the same.
+BOOST_AUTO_TEST_CASE(matrices_that_are_not_positive_end_the_iteration)
+{
+  System<2> system;
+  for(double value : {-1., -1e3}) {
+    system.matrix.diagonal(5) = value;
+    FFM::Conjugate_gradient_solver<> solver(1e-13);
+    BOOST_TEST_REQUIRE(solver.analyze_pattern(system.matrix));
+    BOOST_TEST_REQUIRE(solver.factorize(system.matrix));
+    Eigen::VectorXd x;
+    BOOST_TEST_REQUIRE(solver.solve(system.right, x));
+    BOOST_TEST(!solver.converged());
+    BOOST_TEST(x.dot(system.right) > 0);
+    // Where the curvature is negative at once, too.
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(system.matrix.rows(), 5);
+    BOOST_TEST_REQUIRE(solver.solve(unit, x));
+    BOOST_TEST(x[5] > 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_to_solve_for)
+{
+  const System<3> system;
+  FFM::Conjugate_gradient_solver<> solver;
+  BOOST_TEST_REQUIRE((solver.analyze_pattern(system.matrix) && solver.factorize(system.matrix)));
+  Eigen::VectorXd x;
+  BOOST_TEST(solver.solve(Eigen::VectorXd::Zero(system.matrix.rows()), x));
+  BOOST_TEST(solver.converged());
+  BOOST_TEST(x.isZero(0));
+  BOOST_TEST(x.size() == system.matrix.rows());
 }
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD

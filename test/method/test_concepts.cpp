@@ -16,6 +16,8 @@
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
 #include <CGAL/Flip_free_maps/accelerations/Nesterov.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Incomplete_cholesky.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Sparse_linear_algebra_solver.h>
 #include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/method/concepts.h>
@@ -391,7 +393,10 @@ BOOST_AUTO_TEST_CASE(models)
   BOOST_CONCEPT_ASSERT((FFM::RefactorizationRuleConcept<FFM::Every_iteration>));
   BOOST_CONCEPT_ASSERT((FFM::RefactorizationRuleConcept<FFM::On_demand>));
 
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Block_jacobi<2>>));
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Conjugate_gradient_solver<>>));
   BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Eigen_simplicial_solver>));
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Incomplete_cholesky>));
   BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Sparse_linear_algebra_solver<CGAL::Eigen_solver_traits<>>>));
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
   BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Cholmod_solver>));

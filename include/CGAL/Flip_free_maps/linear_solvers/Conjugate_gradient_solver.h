@@ -10,117 +10,76 @@
 
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Incomplete_cholesky.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Symmetric_product.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <type_traits>
 
 namespace CGAL {
 namespace Flip_free_maps {
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
-/// The preconditioner of conjugate gradients that inverts the blocks on the diagonal,
-/// in the form that Eigen's iterative solvers ask for.
+/// The preconditioner of conjugate gradients that inverts the blocks on the diagonal, for matrices with blocks of D rows. What it
+/// solves for is the solution with these blocks instead of the matrix.
 ///
 /// Complexity: linear in the number of rows, a hundred bytes per vertex.
+///
+/// \cgalModels{SymmetricSparseSolver}
 template <int D>
 class Block_jacobi
 {
 public:
-  using StorageIndex = Block_sparse_matrix::Index; ///< type of indices
-  enum
-  {
-    ColsAtCompileTime = Eigen::Dynamic,
-    MaxColsAtCompileTime = Eigen::Dynamic
-  };
+  /// "block Jacobi"
+  std::string name() const { return "block Jacobi"; }
+  /// "none"
+  std::string ordering() const { return "none"; }
 
-  static const char* name() { return "block Jacobi"; } ///< "block Jacobi"
-
-  /// Nothing to do.
-  template <typename Matrix>
-  Block_jacobi& analyzePattern(const Matrix& /* matrix */)
+  /// Nothing to do. `false` if the blocks have another size.
+  bool analyze_pattern(const Block_sparse_matrix& matrix)
   {
-    return *this;
+    m_is_ready = false;
+    return matrix.block_size() == D;
   }
 
-  /// Inverts the blocks of a matrix with sorted columns of which the lower triangle is stored.
-  template <typename Matrix>
-  Block_jacobi& factorize(const Matrix& matrix)
+  /// Inverts the blocks. `false` unless all are positive definite.
+  bool factorize(const Block_sparse_matrix& matrix)
   {
-    m_inverses.resize(D, matrix.cols());
-    m_info = Eigen::Success;
-    for(StorageIndex v = 0; v < matrix.cols(); v += D) {
+    m_inverses.resize(D, matrix.rows());
+    m_is_ready = true;
+    for(std::int32_t v = 0; v < matrix.number_of_vertices(); ++v) {
       Eigen::Matrix<double, D, D> block;
-      for(int j = 0; j < D; ++j) {
-        typename Matrix::InnerIterator entry(matrix, v + j);
-        for(int i = j; i < D; ++i, ++entry)
-          block(i, j) = block(j, i) = entry.value();
-      }
+      matrix.get_block(v, v, 0, block);
       const Eigen::LLT<Eigen::Matrix<double, D, D>> factor(block);
-      if(factor.info() != Eigen::Success)
-        m_info = Eigen::NumericalIssue;
-      m_inverses.template block<D, D>(0, v) = factor.solve(Eigen::Matrix<double, D, D>::Identity());
+      m_is_ready = m_is_ready && factor.info() == Eigen::Success;
+      m_inverses.template middleCols<D>(Eigen::Index(v) * D) = factor.solve(Eigen::Matrix<double, D, D>::Identity());
     }
-    return *this;
-  }
-
-  /// Both of these.
-  template <typename Matrix>
-  Block_jacobi& compute(const Matrix& matrix)
-  {
-    return factorize(matrix);
+    return m_is_ready;
   }
 
   /// Multiplies by the inverses.
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
   {
-    Eigen::VectorXd x(b.size());
-    for(StorageIndex v = 0; v < b.size(); v += D)
-      x.template segment<D>(v).noalias() = m_inverses.template block<D, D>(0, v) * b.template segment<D>(v);
-    return x;
+    if(!m_is_ready)
+      return false;
+    x.resize(b.size());
+    for(Eigen::Index i = 0; i < b.size(); i += D)
+      x.template segment<D>(i).noalias() = m_inverses.template middleCols<D>(i) * b.template segment<D>(i);
+    return x.allFinite();
   }
 
-  /// Whether all blocks are positive definite.
-  Eigen::ComputationInfo info() const { return m_info; }
+  /// Entries of the inverses.
+  std::int64_t factor_entries() const { return m_inverses.size(); }
 
 private:
   Eigen::Matrix<double, D, Eigen::Dynamic> m_inverses;
-  Eigen::ComputationInfo m_info = Eigen::InvalidInput;
+  bool m_is_ready = false;
 };
-
-/// \ingroup PkgFlipFreeMapsLinearSolvers
-/// The preconditioner of conjugate gradients that factorizes without fill, Eigen's `IncompleteCholesky`.
-///
-/// Complexity: linear in the entries of the matrix, of which it keeps as many.
-class Incomplete_cholesky : public Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::AMDOrdering<Block_sparse_matrix::Index>>
-{
-public:
-  static const char* name() { return "incomplete Cholesky"; } ///< "incomplete Cholesky"
-};
-
-namespace internal {
-
-// A preconditioner that is interrupted by a `Deadline`: Eigen's iteration, which calls it, is not.
-template <typename Preconditioner>
-class Interruptible : public Preconditioner
-{
-public:
-  template <typename Right>
-  auto solve(const Right& b) const
-  {
-    ask_deadline();
-    return Preconditioner::solve(b);
-  }
-};
-
-} // namespace internal
 
 /// \ingroup PkgFlipFreeMapsLinearSolvers
 /// Conjugate gradients with a preconditioner, for meshes of which the factor does not fit into memory. Directions are inexact: a
@@ -128,10 +87,11 @@ public:
 /// far. That is the 1 % of Claici et al. 2017, section 6.2, far from the solution, and tightens as the gradient shrinks, so that
 /// steps of Newton still converge faster than linearly (the inexact Newton rule of Dembo and Steihaug).
 ///
-/// \tparam Preconditioner_ a preconditioner of Eigen's iterative solvers with a name: `Incomplete_cholesky` or `Block_jacobi`
+/// \tparam Preconditioner_ must be a model of `SymmetricSparseSolver`, of which it is only asked that it solves with some symmetric
+///   positive definite matrix: `Incomplete_cholesky` or `Block_jacobi`
 ///
-/// Complexity: as much memory as twice the matrix, three times with `Incomplete_cholesky`; iterations grow with the number of
-/// vertices along the mesh and with the distortion.
+/// Complexity: more than half as much memory as the matrix, and the preconditioner; iterations grow with the number of vertices
+/// along the mesh and with the distortion.
 ///
 /// \cgalModels{SymmetricSparseSolver}
 template <typename Preconditioner_ = Incomplete_cholesky>
@@ -140,76 +100,103 @@ class Conjugate_gradient_solver
 public:
   /// \param tolerance of the first solve
   /// \param max_iterations at which the last iterate is taken as it is
-  explicit Conjugate_gradient_solver(double tolerance = 0.01, int max_iterations = 2000) : m_tolerance(tolerance)
-  {
-    m_solver.setMaxIterations(max_iterations);
-  }
+  explicit Conjugate_gradient_solver(double tolerance = 0.01, int max_iterations = 2000)
+    : m_tolerance(tolerance), m_max_iterations(max_iterations)
+  {}
 
   /// The name with that of the preconditioner.
-  std::string name() const { return std::string("conjugate gradients (") + Preconditioner_::name() + ")"; }
-  /// "none"
-  std::string ordering() const { return "none"; }
+  std::string name() const { return "conjugate gradients (" + m_preconditioner.name() + ")"; }
+  /// That of the preconditioner.
+  std::string ordering() const { return m_preconditioner.ordering(); }
 
-  /// Copies the pattern.
+  /// Copies the pattern, and has the preconditioner analyse it.
   bool analyze_pattern(const Block_sparse_matrix& matrix);
 
   /// Copies the matrix and prepares the preconditioner. `false` if that fails.
   bool factorize(const Block_sparse_matrix& matrix);
 
-  /// Iterates from zero, so that what is found descends wherever the matrix is positive definite.
+  /// Iterates from zero, so that what is found descends; it ends early where the matrix is not positive.
   bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
   /// Whether the last solve met its tolerance.
-  bool converged() const { return m_solver.info() == Eigen::Success; }
+  bool converged() const { return m_converged; }
 
   /// Iterations of the last solve.
   int iterations() const { return m_iterations; }
 
   /// Entries of the copy.
-  std::int64_t factor_entries() const { return m_matrix.nonZeros(); }
+  std::int64_t factor_entries() const { return m_matrix.number_of_entries(); }
 
 private:
-  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Block_sparse_matrix::Index>;
-
   double m_tolerance;
+  int m_max_iterations;
   double m_longest = 0;
   int m_iterations = 0;
+  bool m_converged = false;
   bool m_is_ready = false;
-  Matrix m_matrix;
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower, internal::Interruptible<Preconditioner_>> m_solver;
+  internal::Symmetric_product m_matrix;
+  Preconditioner_ m_preconditioner;
+  Eigen::VectorXd m_residual, m_preconditioned, m_search, m_product;
 };
 
 template <typename Preconditioner_>
 bool Conjugate_gradient_solver<Preconditioner_>::analyze_pattern(const Block_sparse_matrix& matrix)
 {
-  m_matrix = matrix.lower();
-  m_solver.analyzePattern(m_matrix);
+  m_is_ready = false;
+  m_matrix.analyze_pattern(matrix);
   m_longest = 0;
-  return true;
+  return m_preconditioner.analyze_pattern(matrix);
 }
 
 template <typename Preconditioner_>
 bool Conjugate_gradient_solver<Preconditioner_>::factorize(const Block_sparse_matrix& matrix)
 {
-  m_is_ready = false;
-  if(m_matrix.nonZeros() != matrix.number_of_entries())
-    return false;
-  std::copy(matrix.values().begin(), matrix.values().end(), m_matrix.valuePtr());
-  m_solver.factorize(m_matrix);
-  m_is_ready = m_solver.preconditioner().info() == Eigen::Success;
+  m_is_ready = m_matrix.copy(matrix) && m_preconditioner.factorize(matrix);
   return m_is_ready;
 }
 
 template <typename Preconditioner_>
 bool Conjugate_gradient_solver<Preconditioner_>::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
 {
+  m_iterations = 0;
+  m_converged = false;
   if(!m_is_ready)
     return false;
   const double length = b.norm();
   m_longest = (std::max)(m_longest, length);
-  m_solver.setTolerance(length > 0 ? m_tolerance * std::sqrt(length / m_longest) : m_tolerance);
-  x = m_solver.solve(b);
-  m_iterations = static_cast<int>(m_solver.iterations());
+  x.setZero(b.size());
+  if(length == 0) {
+    m_converged = true;
+    return true;
+  }
+  const double bound = m_tolerance * std::sqrt(length / m_longest) * length;
+  m_residual = b;
+  double decrease = 0;
+  while(m_iterations < m_max_iterations) {
+    internal::ask_deadline();
+    if(!m_preconditioner.solve(m_residual, m_preconditioned))
+      return false;
+    const double next = m_residual.dot(m_preconditioned);
+    if(m_iterations == 0)
+      m_search = m_preconditioned;
+    else
+      m_search = m_preconditioned + next / decrease * m_search;
+    decrease = next;
+    m_matrix.multiply(m_search, m_product);
+    ++m_iterations;
+    const double curvature = m_search.dot(m_product);
+    if(!(curvature > 0))
+      break;
+    x += decrease / curvature * m_search;
+    m_residual -= decrease / curvature * m_product;
+    if(m_residual.norm() <= bound) {
+      m_converged = true;
+      break;
+    }
+  }
+  // Where the matrix is not positive at once, the preconditioner alone leads on.
+  if(m_iterations == 1 && !m_converged && x.isZero(0))
+    x = m_search;
   return x.allFinite();
 }
 
