@@ -252,8 +252,10 @@ Colors colors_of(const FFM::Textured_mesh& mesh)
     const int r = pixel >> 16, g = pixel >> 8 & 255, b = pixel & 255;
     if(pixel == 0xFFFFFF)
       continue;
-    if(g < r / 3)
-      ++(b > r / 2 ? colors.magenta : colors.red);
+    if(2 * r > 3 * g && 2 * r > 3 * b)
+      ++colors.red;
+    else if(g < r / 3 && b > r / 2)
+      ++colors.magenta;
     else
       ++(r > b ? colors.light : colors.dark);
   }

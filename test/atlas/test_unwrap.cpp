@@ -205,7 +205,7 @@ static double part_within(const Atlas_surface& surface, const FFM::Unwrap_summar
       const Mesh::Point p = surface.mesh.point(surface.mesh.target(g));
       return Eigen::Vector3d(p.x(), p.y(), p.z());
     };
-    const auto image = [&](Halfedge g) { return Eigen::Vector2d(surface.uv[g].x(), surface.uv[g].y()) / summary.scale; };
+    const auto image = [&](Halfedge g) { return Eigen::Vector2d(surface.uv[g].x() / summary.scale, surface.uv[g].y() / summary.scale); };
     Eigen::Matrix<double, 3, 2> edges;
     Eigen::Matrix2d images;
     edges << point(surface.mesh.next(h)) - point(h), point(surface.mesh.prev(h)) - point(h);

@@ -197,7 +197,7 @@ private:
     Surface_raster raster(factor * cell_width, factor * cell_height);
     const Eigen::Vector3d middle(factor * cell_width / 2., factor * cell_height / 2., 0), center = (view.low + view.high) / 2;
     const Eigen::Vector3d light = Eigen::Vector3d(-0.35, 0.5, 0.8).normalized();
-    const double seam_width = factor * (std::max)(1., m_options.width / 1000.);
+    const double seam_width = factor * (std::max)(2., m_options.width / 500.);
     for(std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
       Eigen::Matrix3d corners;
       for(int k = 0; k < 3; ++k) {
