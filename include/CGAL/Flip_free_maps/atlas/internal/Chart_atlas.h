@@ -492,7 +492,7 @@ private:
       chart.message = "a part of a larger chart, as it was when the time was up";
       flat.is_mapped = true;
     } else if(open.is_mesh) {
-      if(can_be_split(piece) && m_options.is_bounded())
+      if(can_be_split(piece) && m_options.is_bounded() && piece.faces.size() > FEW_FACES)
         request.is_hopeless = [this, &piece, &open](const Positions<2>& x) { return has_far_crossing(piece, open, x); };
       Summary summary = flatten_piece(open, flat.x, request);
       // Rounding may flip a thin triangle of a map that is scaled.
@@ -599,8 +599,7 @@ private:
         return fail(Status::result_not_representable,
                     "face number " + std::to_string(m_surface.polygons[piece.faces[0]]) + " was not laid flat without overlaps");
       ++m_summary.splits_of_overlaps;
-      // What is distorted a little too much as a whole may be good enough in parts.
-      piece.is_part = m_options.is_bounded() && excess(chart) < WORST_EXCESS;
+      piece.is_part = m_options.is_bounded() && excess(chart) < (piece.faces.size() > FEW_FACES ? WORST_EXCESS : 1);
       return split(piece, open, overlaps(piece, open, flat.x));
     }
     // Without time for flattening a part is as distorted as the whole.
@@ -620,6 +619,7 @@ private:
         }
         piece.target = cut.target_energy;
         if(is_cut) {
+          piece.is_part = piece.faces.size() > FEW_FACES && excess(chart) < WORST_EXCESS;
           enqueue_parts(piece.faces, piece);
           return true;
         }
@@ -763,8 +763,11 @@ private:
   static constexpr int MOST_RECUTS = 3;
   // Splits of a piece before its parts are looked at, and rounds in which the sides of seams are led apart.
   static constexpr int MOST_SPLITS = 64, MOST_ROUNDS = 3;
-  // The excess of distortion below which parts begin with the map of the whole.
+  // The excess of distortion below which what is left of a piece begins with its map: what is distorted a little too much as a whole
+  // may be good enough in parts.
   static constexpr double WORST_EXCESS = 2;
+  // New maps of pieces with at most so many triangles take no time, and a good map overlaps itself less than a rough one.
+  static constexpr std::size_t FEW_FACES = 20000;
   // Half the distance between sides of a seam that were led apart, over the least one.
   static constexpr double ZIPPED_GAPS = 5;
   // Steps of a part of a map on its way, and the most by which its energy may increase.
