@@ -150,7 +150,6 @@ private:
       };
     m_request.options = options;
     set_limits(m_limits, m_request.traits.options);
-    m_request.traits.options.max_seconds = std::numeric_limits<double>::infinity(); // the limit is one for all charts
     m_request.is_single_precision = surface.is_transposed = is_gltf(m_output.path);
     Corner_images images;
     summary = unwrap_surface(m_request, surface, seams, images);

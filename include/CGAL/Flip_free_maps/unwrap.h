@@ -235,10 +235,11 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Pieces are cut by `cut_to_disk()` and flattened as by `parameterize()`. A piece that overlaps itself, which a map without
-/// flips may do at its borders, is split between two places of the border that cross, and the parts are flattened anew; so is one
-/// whose distortion exceeds `Unwrap_options::max_distortion`. Both come to an end at single faces, which are not split. When the
-/// time is up, or the observer has asked to stop, parts keep the map that the whole had, which is valid, too.
+/// Pieces are cut by `cut_to_disk()` and flattened as by `parameterize()`. A piece may overlap itself at its borders. Where
+/// distortion is bounded, sides of a seam that lie over each other by a little are led apart; otherwise it is split between the
+/// places of the border that cross, and parts whose piece of the map is not good enough are flattened on from there. A piece whose
+/// distortion exceeds `Unwrap_options::max_distortion` is cut again or split, too. Both come to an end at single faces, which are
+/// not split. When the time is up, or the observer has asked to stop, parts keep the map that the whole had, which is valid, too.
 ///
 /// \returns how it ended and what each chart is like; `Unwrap_summary::is_valid()` tells whether the maps were written. Bad input
 ///   gives a status and a message, not an exception: `empty_mesh`, `degenerate_rest_element` if no face has corners at three

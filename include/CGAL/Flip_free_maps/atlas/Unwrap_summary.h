@@ -73,7 +73,7 @@ struct Unwrap_summary : Outcome
   std::int64_t faces = -1;                            ///< faces of the mesh
   Cut_summary cut;                                    ///< how the surface was cut open
   std::vector<Chart_summary> charts;                  ///< the charts, the largest first; their places are the numbers in `face_chart_map`
-  int splits_of_overlaps = 0;                         ///< how often a chart was split because it overlapped itself
+  int splits_of_overlaps = 0;                         ///< how often a chart was split, in two or more, because it overlapped itself
   int splits_of_distortion = 0;                       ///< how often a chart was split because of `Unwrap_options::max_distortion`
   int splits_of_length = 0;                           ///< how often a chart was split because of `Unwrap_options::max_length`
   int splits_for_packing = 0;                         ///< how often a chart was split because of `Unwrap_options::min_occupancy`

@@ -13,16 +13,19 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_maps.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_zipper.h>
 #include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/for_each_index.h>
 #include <CGAL/Flip_free_maps/internal/for_each_index_watched.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 #include <CGAL/Flip_free_maps/report/Deadline.h>
 
+#include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -34,6 +37,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -198,8 +202,7 @@ private:
     }
     Positions<2> x;
     const Summary summary = flatten_piece(moved, x);
-    std::pair<std::int32_t, std::int32_t> overlap;
-    if(!summary.is_valid() || !draw_apart(open, x, overlap))
+    if(!summary.is_valid() || !draw_apart(open, x))
       return false;
     Chart_summary& chart = m_summary.charts[number];
     const double area = chart.area;
@@ -291,11 +294,19 @@ private:
     }
   }
 
+  // What is asked of the map of a piece.
+  struct Map_request
+  {
+    bool is_convex = false;                               // whether the start will do, which has a convex border
+    bool has_start = false;                               // whether to begin with the given map
+    std::function<bool(const Positions<2>&)> is_hopeless; // whether a rough map is enough; see `Planar_request`
+  };
+
   // A piece that has no map when the time is up gets one that is good enough, or none if that takes long.
-  Summary flatten_piece(const Open_piece& open, Positions<2>& x, int max_iterations = -1)
+  Summary flatten_piece(const Open_piece& open, Positions<2>& x, const Map_request& request = Map_request())
   {
     if(!is_late())
-      return flatten_piece(open, x, max_iterations, m_traits);
+      return flatten_piece(open, x, request, m_traits);
     double late_since = m_late_since;
     if(late_since == 0)
       m_late_since = late_since = wall_seconds();
@@ -304,19 +315,20 @@ private:
     Traits traits = m_traits;
     traits.start.multilevel_size = -1;
     traits.options.target_energy = (std::max)(traits.options.target_energy, GOOD_ENOUGH);
-    return flatten_piece(open, x, max_iterations, traits);
+    // A limit for each chart is one for charts that come in time.
+    traits.options.max_seconds = std::numeric_limits<double>::infinity();
+    return flatten_piece(open, x, request, traits);
   }
 
-  // With 0 as the number of iterations the map is a start that has a convex border.
-  Summary flatten_piece(const Open_piece& open, Positions<2>& x, int max_iterations, Traits traits)
+  Summary flatten_piece(const Open_piece& open, Positions<2>& x, const Map_request& request, Traits traits)
   {
     Summary summary;
     const Halfedge border = longest_border(open);
-    if(max_iterations >= 0)
-      traits.options.max_iterations = max_iterations;
-    if(m_is_stopped || max_iterations == 0)
+    if(request.is_convex)
+      traits.options.max_iterations = 0;
+    if(m_is_stopped || request.is_convex)
       traits.start.multilevel_size = -1;
-    traits.start.unfold = traits.start.unfold && max_iterations != 0;
+    traits.start.unfold = traits.start.unfold && !request.is_convex;
     traits.options.observer = [this, given = m_traits.options.observer](const Iteration_report& report) {
       if(given && !m_is_stopped && !given(report))
         m_is_stopped = true;
@@ -326,15 +338,88 @@ private:
       traits.options.observer = nullptr; // who has said all
     std::vector<Point_2> uv(open.surface.points.cols());
     const auto uv_map = boost::make_iterator_property_map(uv.begin(), get(boost::vertex_index, open.mesh));
+    const auto prepare = [&](const auto& graph, Planar_request& planar, std::string&) {
+      const auto* vertices = &graph.vertices();
+      const double scale = graph.domain().scale;
+      if(request.has_start)
+        planar.make_start = [vertices, scale, given = x](Positions<2>& y, std::string& name, std::string&) {
+          name = "the map of a larger chart";
+          y.resize(2, vertices->size());
+          for(std::size_t v = 0; v < vertices->size(); ++v)
+            y.col(v) = given.col((*vertices)[v]) / scale;
+          return Status::success;
+        };
+      if(request.is_hopeless)
+        planar.is_hopeless = [vertices, scale, &request](const Positions<2>& y) {
+          Positions<2> z(2, y.cols());
+          for(std::size_t v = 0; v < vertices->size(); ++v)
+            z.col((*vertices)[v]) = scale * y.col(v);
+          return request.is_hopeless(z);
+        };
+      return Status::success;
+    };
     Planar_solver<Traits> solver{traits};
     summary = parameterize_patch(
-      open.mesh, border, open.mesh.points(), uv_map, traits.options, true,
-      [](const auto&, Planar_request&, std::string&) { return Status::success; }, [](Vertex, Vector<2>&) { return false; }, solver);
+      open.mesh, border, open.mesh.points(), uv_map, traits.options, true, prepare, [](Vertex, Vector<2>&) { return false; }, solver);
     x.resize(2, uv.size());
     if(summary.is_valid())
       for(std::size_t v = 0; v < uv.size(); ++v)
         x.col(v) << uv[v].x(), uv[v].y();
     return summary;
+  }
+
+  // Leads the sides of seams that lie over each other back to where they do not. Returns whether the map was changed.
+  bool zip(const Piece& piece, const Open_piece& open, Positions<2>& x) const
+  {
+    bool is_changed = false;
+    if constexpr(IS_ZIPPING) {
+      const std::vector<std::int32_t> twins = this->twins(piece, open);
+      const Chart_zipper zipper(open.surface, open.border, twins, ZIPPED_GAPS * gap());
+      for(int round = 0; round < MOST_ROUNDS && !is_late(); ++round) {
+        bool is_changed_now = false;
+        std::vector<char> is_done(twins.size(), 0);
+        for(const Crossing& crossing : crossings(open, with_moved_border(open, x, gap()))) {
+          const std::int32_t i = crossing.edges[0], j = crossing.edges[1];
+          if(is_done[i] || is_done[j] || !zipper.is_zippable(i, j))
+            continue;
+          is_done[i] = is_done[j] = 1;
+          const Chart_zipper::Stretch stretch = zipper.stretch(x, i, j);
+          for(const std::int32_t e : stretch)
+            is_done[e] = is_done[twins[e]] = 1;
+          Chart_zipper::Patch patch;
+          if(!stretch.empty() && zipper.make_patch(x, stretch, patch) && relax(patch))
+            is_changed_now = put(patch, x) || is_changed_now;
+        }
+        if(!is_changed_now)
+          break;
+        is_changed = true;
+      }
+    }
+    return is_changed;
+  }
+
+  // Moves a part of a map to its targets.
+  bool relax(Chart_zipper::Patch& patch) const
+  {
+    Traits traits = m_traits;
+    // Whoever does not get there soon would be distorted too much.
+    traits.options.observer = [steps = 0](const Iteration_report&) mutable { return ++steps <= MOST_STEPS; };
+    traits.options.relative_energy_tolerance = (std::max)(traits.options.relative_energy_tolerance, ROUGH);
+    Map_minimizer<2, Traits> minimizer(patch.domain, traits, patch.constraints);
+    const Summary summary = minimizer.move_fixed_vertices(patch.x, patch.targets);
+    return summary.is_valid() && (patch.x - patch.targets)(Eigen::all, patch.constraints.fixed_vertices).isZero(0) &&
+           summary.energy - summary.energy_initial <= MOST_INCREASE;
+  }
+
+  // Puts a part of a map into the whole if nothing flips.
+  static bool put(const Chart_zipper::Patch& patch, Positions<2>& x)
+  {
+    for(const auto& v : patch.domain.elements)
+      if(CGAL::orientation(exact_point(patch.x, v[0]), exact_point(patch.x, v[1]), exact_point(patch.x, v[2])) != CGAL::LEFT_TURN)
+        return false;
+    for(std::size_t v = 0; v < patch.vertices.size(); ++v)
+      x.col(patch.vertices[v]) = patch.unit * patch.x.col(v);
+    return true;
   }
 
   // A piece and its map, if it has one, and how good that is.
@@ -346,7 +431,6 @@ private:
     bool is_mapped = false, is_inherited = false, is_overlapping = false;
     bool is_ahead = false;   // a chart, as it seems, that waits for its turn to be decided
     std::int32_t worst = -1; // the triangle that is distorted most
-    std::pair<std::int32_t, std::int32_t> overlap;
   };
 
   // Flattens the first pieces of the queue, at the same time if there are threads, and keeps them as charts, cuts or splits them
@@ -392,10 +476,11 @@ private:
     const Open_piece& open = flat.open;
     Chart_summary& chart = flat.chart;
     chart.faces = number_of_polygons(piece.faces);
-    if(piece.is_part && open.is_mesh && inherit(piece, open, flat.x)) {
+    Map_request request;
+    request.has_start = piece.is_part && open.is_mesh && inherit(piece, open, flat.x);
+    if(request.has_start) {
       chart.message = "a part of a larger chart";
-      flat.is_overlapping = !draw_apart(open, flat.x, flat.overlap);
-      flat.worst = measure(piece, open, flat.x, chart);
+      settle(piece, flat);
       flat.is_mapped = flat.is_overlapping ? can_be_split(piece) : !is_too_distorted(chart);
     }
     if(flat.is_mapped) {
@@ -407,7 +492,14 @@ private:
       chart.message = "a part of a larger chart, as it was when the time was up";
       flat.is_mapped = true;
     } else if(open.is_mesh) {
-      const Summary summary = flatten_piece(open, flat.x);
+      if(can_be_split(piece) && m_options.is_bounded() && piece.faces.size() > FEW_FACES)
+        request.is_hopeless = [this, &piece, &open](const Positions<2>& x) { return has_far_crossing(piece, open, x); };
+      Summary summary = flatten_piece(open, flat.x, request);
+      // Rounding may flip a thin triangle of a map that is scaled.
+      if(summary.status == Status::start_not_flip_free && request.has_start) {
+        request.has_start = false;
+        summary = flatten_piece(open, flat.x, request);
+      }
       chart.status = summary.status;
       chart.message = summary.message;
       chart.iterations = summary.iterations;
@@ -418,16 +510,50 @@ private:
       chart.message = "two edges of the chart have the same vertices";
     }
     if(flat.is_mapped || flat.is_inherited) {
-      flat.is_overlapping = !draw_apart(open, flat.x, flat.overlap);
-      // The start has a convex border.
+      settle(piece, flat);
       if(flat.is_overlapping && !can_be_split(piece)) {
-        const Summary summary = flatten_piece(open, flat.x, 0);
-        flat.is_mapped = summary.is_valid();
-        flat.is_overlapping = flat.is_mapped && !draw_apart(open, flat.x, flat.overlap);
+        request = Map_request();
+        request.is_convex = true;
+        flat.is_mapped = flatten_piece(open, flat.x, request).is_valid();
+        flat.is_overlapping = flat.is_mapped && !draw_apart(open, flat.x);
+        flat.worst = measure(piece, open, flat.x, chart);
       }
-      flat.worst = measure(piece, open, flat.x, chart);
     }
     chart.seconds = wall_seconds() - begin;
+  }
+
+  // Measures a map, and removes overlaps where the map need not become much worse for that.
+  void settle(const Piece& piece, Flat_piece& flat)
+  {
+    flat.is_overlapping = !draw_apart(flat.open, flat.x);
+    flat.worst = measure(piece, flat.open, flat.x, flat.chart);
+    if(!flat.is_overlapping || !can_be_split(piece) || !m_options.is_bounded() || is_too_distorted(flat.chart))
+      return;
+    Positions<2> x = flat.x;
+    if(has_far_crossing(piece, flat.open, x) || !zip(piece, flat.open, x))
+      return;
+    Chart_summary chart = flat.chart;
+    const bool is_overlapping = !draw_apart(flat.open, x);
+    const std::int32_t worst = measure(piece, flat.open, x, chart);
+    if(is_too_distorted(chart)) {
+      measure(piece, flat.open, flat.x, flat.chart);
+      return;
+    }
+    flat.is_overlapping = is_overlapping;
+    flat.worst = worst;
+    flat.chart = chart;
+    flat.x.swap(x);
+  }
+
+  // Whether a map overlaps itself elsewhere than at the sides of a seam.
+  bool has_far_crossing(const Piece& piece, const Open_piece& open, const Positions<2>& x) const
+  {
+    const std::vector<Crossing> all = crossings(open, x);
+    if(all.empty())
+      return false;
+    const std::vector<std::int32_t> twins = this->twins(piece, open);
+    const Chart_zipper zipper(open.surface, open.border, twins, gap());
+    return std::any_of(all.begin(), all.end(), [&](const Crossing& c) { return !zipper.is_zippable(c.edges[0], c.edges[1]); });
   }
 
   // For the observer a piece is a chart as soon as it is good enough.
@@ -466,15 +592,15 @@ private:
         return fail(chart.status,
                     "face number " + std::to_string(m_surface.polygons[piece.faces[0]]) + " cannot be flattened: " + chart.message);
       ++m_summary.splits_of_failures;
-      return split(piece, open, {0, 0});
+      return split(piece, open, {{0, 0}});
     }
     if(flat.is_overlapping) {
       if(!can_be_split(piece))
         return fail(Status::result_not_representable,
                     "face number " + std::to_string(m_surface.polygons[piece.faces[0]]) + " was not laid flat without overlaps");
       ++m_summary.splits_of_overlaps;
-      piece.is_part = m_options.is_bounded() && !is_too_distorted(chart);
-      return split(piece, open, flat.overlap);
+      piece.is_part = m_options.is_bounded() && excess(chart) < (piece.faces.size() > FEW_FACES ? WORST_EXCESS : 1);
+      return split(piece, open, overlaps(piece, open, flat.x));
     }
     // Without time for flattening a part is as distorted as the whole.
     if(is_too_distorted(chart) && can_be_split(piece) && !is_late()) {
@@ -493,18 +619,19 @@ private:
         }
         piece.target = cut.target_energy;
         if(is_cut) {
+          piece.is_part = piece.faces.size() > FEW_FACES && excess(chart) < WORST_EXCESS;
           enqueue_parts(piece.faces, piece);
           return true;
         }
       }
       ++m_summary.splits_of_distortion;
       piece.is_part = false;
-      return split(piece, open, {flat.worst, -1});
+      return split(piece, open, {{flat.worst, -1}});
     }
     if(is_too_long(piece, flat.x)) {
       ++m_summary.splits_of_length;
       piece.is_part = true;
-      return split(piece, open, {0, 0});
+      return split(piece, open, {{0, 0}});
     }
     keep(piece, open, flat.x, chart);
     return true;
@@ -533,8 +660,7 @@ private:
     chart.message = summary.message;
     chart.faces = number_of_polygons(piece.faces);
     chart.iterations = summary.iterations;
-    std::pair<std::int32_t, std::int32_t> overlap;
-    const bool overlaps = !draw_apart(open, x, overlap);
+    const bool overlaps = !draw_apart(open, x);
     measure(piece, open, x, chart);
     if(!(chart.energy <= most_energy) || overlaps) {
       for(const std::int32_t f : piece.faces)
@@ -546,18 +672,37 @@ private:
     return true;
   }
 
-  // Splits between two triangles; the second is far from the first if there is none, and both from each other if they are the same.
-  bool split(const Piece& piece, const Open_piece& open, std::pair<std::int32_t, std::int32_t> seeds)
+  // Pairs of triangles that lie over each other where the border crosses itself, but only those that are no sides of a seam there, if
+  // there are any; the same one twice if it crosses itself nowhere.
+  std::vector<std::pair<std::int32_t, std::int32_t>> overlaps(const Piece& piece, const Open_piece& open, const Positions<2>& x) const
   {
-    const Chart_splitter splitter(open.surface);
-    if(seeds.second < 0)
-      seeds.second = splitter.farthest_from(seeds.first);
-    if(seeds.first == seeds.second)
-      seeds = splitter.far_apart();
-    std::vector<Chart_splitter::Edge> edges = splitter.separate(seeds.first, seeds.second);
+    std::vector<Crossing> all = crossings(open, x), far = all;
+    const std::vector<std::int32_t> twins = this->twins(piece, open);
+    const Chart_zipper zipper(open.surface, open.border, twins, gap());
+    far.erase(std::remove_if(far.begin(), far.end(), [&](const Crossing& c) { return zipper.is_zippable(c.edges[0], c.edges[1]); }),
+              far.end());
+    std::vector<std::pair<std::int32_t, std::int32_t>> result;
+    for(const Crossing& crossing : far.empty() ? all : far)
+      result.emplace_back(open.border.edges()[crossing.edges[0]].element, open.border.edges()[crossing.edges[1]].element);
+    if(result.empty())
+      result.emplace_back(0, 0);
+    return result;
+  }
+
+  // Splits between pairs of triangles; the second is far from the first if there is none, and both from each other if they are the
+  // same. Parts that will have new maps may not need more than the first split.
+  bool split(const Piece& piece, const Open_piece& open, std::vector<std::pair<std::int32_t, std::int32_t>> seeds)
+  {
+    Chart_splitter splitter(open.surface);
+    std::pair<std::int32_t, std::int32_t>& first = seeds.front();
+    if(first.second < 0)
+      first.second = splitter.farthest_from(first.first);
+    if(first.first == first.second)
+      first = splitter.far_apart();
+    std::vector<Chart_splitter::Edge> edges = splitter.separate(seeds, piece.is_part ? MOST_SPLITS : 1);
     // Polygons whose centres coincide have no distance, and those of the same polygon none from anything.
     if(edges.empty())
-      edges = splitter.around(seeds.first);
+      edges = splitter.around(seeds.front().first);
     for(const Chart_splitter::Edge& edge : edges)
       mark_seam(original_halfedge(piece, edge.halfedge));
     enqueue_parts(piece.faces, piece);
@@ -616,6 +761,20 @@ private:
   }
 
   static constexpr int MOST_RECUTS = 3;
+  // Splits of a piece before its parts are looked at, and rounds in which the sides of seams are led apart.
+  static constexpr int MOST_SPLITS = 64, MOST_ROUNDS = 3;
+  // The excess of distortion below which what is left of a piece begins with its map: what is distorted a little too much as a whole
+  // may be good enough in parts.
+  static constexpr double WORST_EXCESS = 2;
+  // New maps of pieces with at most so many triangles take no time, and a good map overlaps itself less than a rough one.
+  static constexpr std::size_t FEW_FACES = 20000;
+  // Half the distance between sides of a seam that were led apart, over the least one.
+  static constexpr double ZIPPED_GAPS = 5;
+  // Steps of a part of a map on its way, and the most by which its energy may increase.
+  static constexpr int MOST_STEPS = 20;
+  static constexpr double MOST_INCREASE = 0.1;
+  // Only such minimizers lead vertices along.
+  static constexpr bool IS_ZIPPING = std::is_same<typename Traits::template Minimizer<2, Traits>, Map_minimizer<2, Traits>>::value;
   // Mean energies: of an atlas that is cut short, and at which a chart that is made when the time is up ends.
   static constexpr double WORST_ENERGY = 2, GOOD_ENOUGH = 1.5;
   // Seconds for charts that have no map when the time is up.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -42,10 +43,15 @@ protected:
   // The map that the piece has as a part of a larger one.
   bool inherit(const Piece& piece, const Open_piece& open, Positions<2>& x) const;
 
-  // Whether a map is without overlaps, and if not, where one is. Where it touches itself, as parts with right angles do when they
-  // are unfolded, its border is moved inwards by a millionth of the atlas: what is apart by rounding only would overlap once it is
-  // turned and moved.
-  bool draw_apart(const Open_piece& open, Positions<2>& x, std::pair<std::int32_t, std::int32_t>& overlap) const;
+  // Whether a map is without overlaps. Where it touches itself, as parts with right angles do when they are unfolded, its border
+  // is moved inwards by a millionth of the atlas: what is apart by rounding only would overlap once it is turned and moved.
+  bool draw_apart(const Open_piece& open, Positions<2>& x) const;
+
+  // Half the least distance between parts of the border of a chart.
+  double gap() const { return 1e-6 * std::sqrt(m_area); }
+
+  // By edge of the border of a piece, the one that a seam joins it to, -1 if that is not one of the piece.
+  std::vector<std::int32_t> twins(const Piece& piece, const Open_piece& open) const;
 
   // Seams go between polygons only.
   bool can_be_split(const Piece& piece) const;

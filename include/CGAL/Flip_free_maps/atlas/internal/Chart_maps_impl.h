@@ -44,20 +44,39 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::inherit(const Piece& piece, const Op
   return x.allFinite();
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::draw_apart(const Open_piece& open, Positions<2>& x,
-                                                       std::pair<std::int32_t, std::int32_t>& overlap) const
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::draw_apart(const Open_piece& open, Positions<2>& x) const
 {
-  const double gap = 1e-6 * std::sqrt(m_area);
-  const auto is_apart = [&](const Positions<2>& y) {
-    return !find_overlap(open, with_moved_border(open, y, gap), overlap) && !find_overlap(open, y, overlap);
-  };
+  const double gap = this->gap();
+  const auto is_apart = [&](const Positions<2>& y) { return !has_overlap(open, with_moved_border(open, y, gap)) && !has_overlap(open, y); };
   if(is_apart(x))
     return true;
   Positions<2> moved = with_moved_border(open, x, -2 * gap);
   if(!is_flip_free(open.surface.triangles, moved) || !is_apart(moved))
-    return !find_overlap(open, x, overlap);
+    return !has_overlap(open, x);
   x.swap(moved);
   return true;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Chart_maps::twins(const Piece& piece, const Open_piece& open) const
+{
+  // Sides of the border by their halfedges of the surface. Other pieces are opened at the same time, so m_place is of no use.
+  std::vector<std::pair<std::int32_t, std::int32_t>> sides;
+  const auto& edges = open.border.edges();
+  for(std::size_t i = 0; i < edges.size(); ++i) {
+    const auto& t = open.surface.triangles[edges[i].element];
+    const std::int32_t k = static_cast<std::int32_t>(std::find(t.begin(), t.end(), edges[i].source) - t.begin());
+    sides.emplace_back(original_halfedge(piece, 3 * edges[i].element + k), static_cast<std::int32_t>(i));
+  }
+  std::vector<std::pair<std::int32_t, std::int32_t>> sorted = sides;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::int32_t> result(edges.size(), -1);
+  for(const auto& side : sides) {
+    const std::int32_t opposite = m_surface.opposite[side.first];
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(opposite, -1));
+    if(opposite >= 0 && found != sorted.end() && found->first == opposite)
+      result[side.second] = found->second;
+  }
+  return result;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::can_be_split(const Piece& piece) const
@@ -151,8 +170,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::halve(std::size_t c, double& seam_le
   for(int i = 0; i < 2; ++i) {
     const Open_piece part = this->open(parts[i].faces);
     Positions<2> x;
-    std::pair<std::int32_t, std::int32_t> overlap;
-    if(!part.is_mesh || !inherit(parts[i], part, x) || !draw_apart(part, x, overlap))
+    if(!part.is_mesh || !inherit(parts[i], part, x) || !draw_apart(part, x))
       return false;
     summaries[i] = m_summary.charts[c];
     summaries[i].faces = number_of_polygons(parts[i].faces);

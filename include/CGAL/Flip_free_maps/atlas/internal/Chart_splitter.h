@@ -49,6 +49,10 @@ public:
   // the regions that are nearer to either meet, straightened if that is a single line from border to border.
   std::vector<Edge> separate(std::int32_t a, std::int32_t b) const;
 
+  // Edges that part the two triangles of each pair from each other, one pair after the other in the parts that there are by then,
+  // but not in more than so many splits.
+  std::vector<Edge> separate(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, int most_splits);
+
   // The inner edges of the polygon of a triangle.
   std::vector<Edge> around(std::int32_t e) const;
 
@@ -57,8 +61,13 @@ private:
   // Of a part that is cut off by a straightened line, over that by the line before.
   static constexpr double SMALLEST_PART = 0.3;
 
-  // The least area of the parts when the surface is cut along some edges.
-  double smallest_part(const std::vector<Edge>& edges) const;
+  void cut(const std::vector<Edge>& edges, std::vector<char>& is_cut) const;
+
+  // The triangles of the part that one is in when halfedges are cut.
+  std::vector<std::int32_t> connected_to(std::int32_t first, const std::vector<char>& is_cut) const;
+
+  // The least area of the parts when a part is cut along some edges.
+  double smallest_part(const std::vector<std::int32_t>& part, const std::vector<Edge>& edges) const;
 
   using Entry = std::pair<double, std::int32_t>;
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
@@ -70,24 +79,27 @@ private:
     return 1 + CREASE_PREFERENCE * turning_angle(m_elements[e], m_elements[f], m_points) / CGAL_PI;
   }
 
-  // Lengths of ways over the centres of triangles.
-  std::vector<double> distances(std::int32_t seed) const;
+  // Lengths of ways over the centres of triangles from the nearest of some; infinite in other parts.
+  std::vector<double> distances(const std::vector<std::int32_t>& seeds, std::vector<char>* is_nearer_to_first = nullptr) const;
 
-  // Along inner edges, some of which lead from one end to the other.
+  // Along inner edges of the triangles that have a distance, some of which lead from one end to the other.
   // Parts that are cut off by a way along the border are parts, too.
-  std::vector<Edge> shortest_way(std::int32_t from, std::int32_t to) const;
+  std::vector<Edge> shortest_way(std::int32_t from, std::int32_t to, const std::vector<double>& distances) const;
 
   double area(std::size_t e) const;
 
   // The triangle across a halfedge, -1 on the border.
-  std::int32_t neighbor(std::int32_t h) const { return m_surface.opposite[h] < 0 ? -1 : m_surface.opposite[h] / 3; }
-  bool is_inner_edge(std::int32_t h) const { return m_surface.opposite[h] >= 0 && !m_surface.is_diagonal(h); }
+  std::int32_t neighbor(std::int32_t h) const { return m_surface.opposite[h] < 0 || m_is_cut[h] ? -1 : m_surface.opposite[h] / 3; }
+  bool is_inner_edge(std::int32_t h) const { return neighbor(h) >= 0 && !m_surface.is_diagonal(h); }
   Edge edge(std::int32_t h) const { return {{m_elements[h / 3][h % 3], m_elements[h / 3][(h + 1) % 3]}, h}; }
 
   const Linked_triangles& m_surface;
   const std::vector<std::array<std::int32_t, 3>>& m_elements;
   const Positions<3>& m_points;
-  std::vector<Vector<3>> m_centers; // by triangle, those of their polygons
+  std::vector<Vector<3>> m_centers;                        // by triangle, those of their polygons
+  std::vector<char> m_is_cut;                              // by halfedge
+  mutable std::vector<char> m_is_seen;                     // by triangle, all 0 between searches
+  std::vector<std::int32_t> m_first_corner, m_next_corner; // by vertex, and by corner
 };
 
 } // namespace internal

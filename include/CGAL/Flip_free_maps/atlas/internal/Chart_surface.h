@@ -65,6 +65,14 @@ protected:
     Mesh mesh;
     bool is_mesh = true;
     Linked_triangles surface;
+    Border_curves border;
+  };
+
+  // Two edges of the border of a piece whose images cross, and how many edges are between them along it; as many as there are if
+  // they are on different borders.
+  struct Crossing
+  {
+    std::int32_t edges[2], way;
   };
 
   bool fail(Status status, const std::string& message);
@@ -92,10 +100,13 @@ protected:
   static double missing_angles(const Open_piece& open);
 
   // A map with the vertices of its border moved outwards.
-  Positions<2> with_moved_border(const Open_piece& open, const Positions<2>& x, double distance) const;
+  static Positions<2> with_moved_border(const Open_piece& open, const Positions<2>& x, double distance);
 
-  // Two faces at places of the border that cross, on different borders, or as far from each other along the border as any.
-  bool find_overlap(const Open_piece& open, const Positions<2>& x, std::pair<std::int32_t, std::int32_t>& overlap) const;
+  // The crossings of the border, the farthest first. Of a great many some are left out.
+  static std::vector<Crossing> crossings(const Open_piece& open, const Positions<2>& x);
+
+  // Whether a map overlaps itself.
+  static bool has_overlap(const Open_piece& open, const Positions<2>& x);
 
   Unwrap_summary& m_summary;
   double m_begin;

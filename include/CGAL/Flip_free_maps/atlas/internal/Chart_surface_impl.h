@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -109,6 +110,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Open_piece Chart_surface::open(const s
   }
   for(const auto& t : open.triangles)
     piece.is_mesh = piece.is_mesh && piece.mesh.add_face(mesh_vertices[t[0]], mesh_vertices[t[1]], mesh_vertices[t[2]]).is_valid();
+  piece.border.load(open.triangles, open.opposite, static_cast<std::int32_t>(open.points.cols()));
   return piece;
 }
 
@@ -133,8 +135,8 @@ CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Halfedge Chart_surface::longest_border
 CGAL_FLIP_FREE_MAPS_INLINE double Chart_surface::missing_angles(const Open_piece& open)
 {
   const double infinity = std::numeric_limits<double>::infinity();
-  Border_curves border;
-  if(!border.load(open.surface.triangles, static_cast<std::int32_t>(open.surface.points.cols())) || border.curves().size() < 2)
+  const Border_curves& border = open.border;
+  if(border.curves().size() < 2)
     return infinity;
   const std::int64_t faces = static_cast<std::int64_t>(open.surface.triangles.size());
   const std::int64_t edges = (3 * faces + static_cast<std::int64_t>(border.edges().size())) / 2;
@@ -165,13 +167,10 @@ CGAL_FLIP_FREE_MAPS_INLINE double Chart_surface::missing_angles(const Open_piece
   return missing;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE Positions<2> Chart_surface::with_moved_border(const Open_piece& open, const Positions<2>& x,
-                                                                         double distance) const
+CGAL_FLIP_FREE_MAPS_INLINE Positions<2> Chart_surface::with_moved_border(const Open_piece& open, const Positions<2>& x, double distance)
 {
-  Border_curves border;
-  border.load(open.surface.triangles, static_cast<std::int32_t>(x.cols()));
   Positions<2> normals = Positions<2>::Zero(2, x.cols());
-  for(const Border_edge& edge : border.edges()) {
+  for(const Border_edge& edge : open.border.edges()) {
     const Vector<2> side = (x.col(edge.target) - x.col(edge.source)).normalized(), normal(side[1], -side[0]);
     normals.col(edge.source) += normal;
     normals.col(edge.target) += normal;
@@ -185,34 +184,38 @@ CGAL_FLIP_FREE_MAPS_INLINE Positions<2> Chart_surface::with_moved_border(const O
   return moved;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::find_overlap(const Open_piece& open, const Positions<2>& x,
-                                                            std::pair<std::int32_t, std::int32_t>& overlap) const
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_surface::Crossing> Chart_surface::crossings(const Open_piece& open, const Positions<2>& x)
 {
-  Border_curves border;
-  border.load(open.surface.triangles, static_cast<std::int32_t>(x.cols()));
+  const std::size_t most = 100000;
+  const Border_curves& border = open.border;
   std::vector<std::int32_t> rank(border.edges().size(), 0);
   for(const auto& curve : border.curves())
     for(std::size_t i = 0; i < curve.size(); ++i)
       rank[curve[i]] = static_cast<std::int32_t>(i);
-  std::int32_t best = -1;
-  int number = 0;
+  std::vector<Crossing> result;
   border.for_each_crossing(x, [&](std::int32_t i, std::int32_t j) {
     const Border_edge& a = border.edges()[i];
     const Border_edge& b = border.edges()[j];
     const std::int32_t length = static_cast<std::int32_t>(border.curves()[a.curve].size());
     std::int32_t way = std::abs(rank[i] - rank[j]);
     way = a.curve == b.curve ? (std::min)(way, length - way) : static_cast<std::int32_t>(border.edges().size());
-    if(way > best) {
-      best = way;
-      overlap = {a.element, b.element};
-    }
-    return ++number < 100000;
+    result.push_back({{(std::min)(i, j), (std::max)(i, j)}, way});
+    return result.size() < most;
   });
-  if(best < 0 && !border.are_nested(x)) {
-    overlap = {0, 0};
-    return true;
-  }
-  return best >= 0;
+  std::sort(result.begin(), result.end(), [](const Crossing& a, const Crossing& b) {
+    return std::make_tuple(-a.way, a.edges[0], a.edges[1]) < std::make_tuple(-b.way, b.edges[0], b.edges[1]);
+  });
+  return result;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_surface::has_overlap(const Open_piece& open, const Positions<2>& x)
+{
+  bool is_crossing = false;
+  open.border.for_each_crossing(x, [&](std::int32_t, std::int32_t) {
+    is_crossing = true;
+    return false;
+  });
+  return is_crossing || !open.border.are_nested(x);
 }
 
 } // namespace internal

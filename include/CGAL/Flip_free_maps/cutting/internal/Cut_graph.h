@@ -237,9 +237,9 @@ private:
 
   void clear_marks(const std::vector<std::int32_t>& nodes);
 
-  // The shortest path from some nodes, which are marked 1, to nodes marked 2 that meets no other seam and no other border; empty
-  // if none is shorter than the bound.
-  std::vector<std::int32_t> path_between_sides(const std::vector<std::int32_t>& begin_side, double bound);
+  // The shortest path from some nodes, which are marked, to nodes with the mark `goal` that meets no other seam and no other border;
+  // empty if none is shorter than the bound.
+  std::vector<std::int32_t> path_between_sides(const std::vector<std::int32_t>& begin_side, char goal, double bound);
 
   bool is_on_border(std::int32_t h) const { return m_opening.is_border(h) || m_is_cut[m_surface.edge_of[h]]; }
 

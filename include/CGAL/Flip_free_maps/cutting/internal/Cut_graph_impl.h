@@ -272,7 +272,9 @@ CGAL_FLIP_FREE_MAPS_INLINE double Cut_graph::shorten(const Chain& chain)
   std::vector<std::int32_t> path;
   if(m_marks[chain.end] != 1) {
     const std::vector<std::int32_t> end_side = connected_to(chain.end, 2);
-    path = path_between_sides(begin_side, chain.cost);
+    // What is nearer than the cost of the chain is much less around a small side than around a large one.
+    path =
+      begin_side.size() <= end_side.size() ? path_between_sides(begin_side, 2, chain.cost) : path_between_sides(end_side, 1, chain.cost);
     clear_marks(end_side);
   } else {
     path = path_across_annulus(chain);
@@ -306,7 +308,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cut_graph::clear_marks(const std::vector<std::in
     m_marks[n] = 0;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_between_sides(const std::vector<std::int32_t>& begin_side,
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_between_sides(const std::vector<std::int32_t>& begin_side, char goal,
                                                                                    double bound)
 {
   std::vector<std::int32_t> path, reached = begin_side;
@@ -322,7 +324,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_between_sid
     if(distance > m_distances[n])
       continue;
     ask_deadline_sometimes(++m_steps);
-    if(m_marks[n] == 2) {
+    if(m_marks[n] == goal) {
       for(std::int32_t v = n; m_predecessors[v] >= 0;) {
         path.push_back(m_predecessors[v]);
         v = other_end(path.back(), v);
@@ -385,12 +387,13 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Cut_graph::path_across_annu
   std::vector<std::int32_t> path;
   if(from < 0 || to < 0)
     return path;
-  const std::vector<std::int32_t> begins = fans_along_border(from);
+  std::vector<std::int32_t> begins = fans_along_border(from);
   if(std::find(begins.begin(), begins.end(), to) != begins.end())
     return path;
-  std::unordered_set<std::int32_t> goal;
-  for(std::int32_t fan : fans_along_border(to))
-    goal.insert(fan);
+  std::vector<std::int32_t> ends = fans_along_border(to);
+  if(ends.size() < begins.size())
+    begins.swap(ends);
+  const std::unordered_set<std::int32_t> goal(ends.begin(), ends.end());
   if(m_arrivals.empty())
     m_arrivals.assign(m_surface.number_of_vertices() + m_surface.opposite.size(), {infinity(), -1, -1});
   std::vector<std::int32_t> reached;

@@ -44,6 +44,10 @@ public:
   // side, or a border passes through a vertex twice.
   bool load(const std::vector<std::array<std::int32_t, 3>>& elements, std::int32_t number_of_vertices);
 
+  // The same where it is known which sides of triangles have nothing across them: those halfedges whose opposite one is -1.
+  bool load(const std::vector<std::array<std::int32_t, 3>>& elements, const std::vector<std::int32_t>& opposite,
+            std::int32_t number_of_vertices);
+
   const std::vector<Border_edge>& edges() const { return m_edges; }
 
   // The curves, each as numbers of edges in their order.
@@ -77,6 +81,9 @@ public:
   bool are_nested(const Positions<2>& x) const;
 
 private:
+  // Strings edges together.
+  bool link(std::int32_t number_of_vertices);
+
   static bool cross(const Border_edge& a, const Border_edge& b, const Positions<2>& x);
 
   // How often a curve winds around a point that is not on it.

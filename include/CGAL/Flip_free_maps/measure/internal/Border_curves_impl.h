@@ -52,6 +52,21 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Border_curves::load(const std::vector<std::array
       m_edges.push_back({v, v == sides[i].low ? sides[i].high : sides[i].low, sides[i].element, -1});
     }
   }
+  return link(number_of_vertices);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Border_curves::load(const std::vector<std::array<std::int32_t, 3>>& elements,
+                                                    const std::vector<std::int32_t>& opposite, std::int32_t number_of_vertices)
+{
+  m_edges.clear();
+  for(std::size_t h = 0; h < opposite.size(); ++h)
+    if(opposite[h] < 0)
+      m_edges.push_back({elements[h / 3][h % 3], elements[h / 3][(h + 1) % 3], static_cast<std::int32_t>(h / 3), -1});
+  return link(number_of_vertices);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Border_curves::link(std::int32_t number_of_vertices)
+{
   std::vector<std::int32_t> leaving(number_of_vertices, -1);
   for(std::size_t i = 0; i < m_edges.size(); ++i) {
     if(leaving[m_edges[i].source] >= 0)

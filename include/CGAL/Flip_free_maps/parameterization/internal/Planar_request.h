@@ -28,6 +28,8 @@ struct Planar_request
   Position_constraints<2> constraints;
   // `make_start(x, name, message)` computes the start; if empty, the method's own is made.
   std::function<Status(Positions<2>&, std::string&, std::string&)> make_start;
+  // Whether a rough map will not be improved, since its user wants another surface then. Empty if all maps are.
+  std::function<bool(const Positions<2>&)> is_hopeless;
   // Whether the map is to be injective as a whole, and whether no other start than the given one may be taken for that.
   bool is_bijective = false;
   bool keeps_start = false;

@@ -14,13 +14,50 @@
 #include <CGAL/Flip_free_maps/initializers/internal/make_start.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/parallel_invoke.h>
+#include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Planar_request.h>
+#include <CGAL/Flip_free_maps/report/Status.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
+
+// Whether a minimizer can be told to stop early and to go on.
+template <typename Minimizer, typename = void>
+struct Has_options : std::false_type
+{};
+
+template <typename Minimizer>
+struct Has_options<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().options().keep_factorization)>> : std::true_type
+{};
+
+// Relative decrease of the energy in an iteration at which a map is rough.
+constexpr double ROUGH = 1e-3;
+
+// Minimises, but stops where a rough map is hopeless.
+template <typename Minimizer>
+void minimize_unless_hopeless(const Planar_request& request, Minimizer& minimizer, Positions<2>& x, Summary& summary)
+{
+  if constexpr(Has_options<Minimizer>::value)
+    if(request.is_hopeless) {
+      Map_options& options = minimizer.options();
+      const Map_options given = options;
+      options.relative_energy_tolerance = (std::max)(options.relative_energy_tolerance, ROUGH);
+      minimizer.minimize(x, summary);
+      if(summary.status != Status::success || request.is_hopeless(x))
+        return;
+      options = given;
+      options.max_iterations = (std::max)(0, given.max_iterations - summary.iterations);
+      options.keep_factorization = true;
+    }
+  minimizer.minimize(x, summary);
+}
 
 // Makes a start by `start()`, which tells whether it succeeded, and minimises. The pattern of the matrix does not depend on the
 // start, so both are found at the same time; but not where the start may be the solution.
@@ -38,7 +75,7 @@ void start_and_minimize(const Planar_request& request, const Traits& traits, Sta
     summary.seconds.assemble += analysis.seconds.assemble;
   }
   if(is_started)
-    minimizer.minimize(x, summary);
+    minimize_unless_hopeless(request, minimizer, x, summary);
 }
 
 // Makes the start that is asked for. Returns whether there is one.
