@@ -74,36 +74,8 @@ public:
     std::iota(all.begin(), all.end(), 0);
     m_faces = number_of_polygons(all);
     m_image.assign(all.size(), Image::Constant(std::numeric_limits<double>::quiet_NaN()));
-    std::vector<std::int32_t> others;
-    {
-      const Phase_timer timer(m_summary.flatten_seconds);
-      cut_sharp_edges();
-      enqueue_parts(all);
-      std::deque<Piece> parts;
-      parts.swap(m_queue);
-      if(m_options.is_bounded()) {
-        for(const Piece& piece : parts)
-          cut_creases(piece);
-        enqueue_parts(all);
-        parts.swap(m_queue);
-        m_queue.clear();
-      }
-      for(Piece& piece : parts)
-        if(!keep_holes(piece))
-          others.insert(others.end(), piece.faces.begin(), piece.faces.end());
-    }
-    {
-      const Phase_timer timer(m_summary.cut_seconds);
-      const std::vector<char> was_cut = m_is_cut;
-      Cut_options cut = m_options.cut;
-      cut.target_energy = first_target();
-      cut.cut_disks = cut.cut_disks || m_options.is_bounded();
-      m_summary.cut = cut_triangles(m_surface, m_is_cut, m_is_feature, cut, [this] { return must_stop(); });
-      m_summary.cut.seam_length = std::ldexp(m_summary.cut.seam_length, m_surface.exponent);
-      for(const Flat_chart& chart : m_charts)
-        for(const std::int32_t f : chart.faces)
-          std::copy(was_cut.begin() + 3 * f, was_cut.begin() + 3 * f + 3, m_is_cut.begin() + 3 * f);
-    }
+    const std::vector<std::int32_t> others = keep_what_needs_no_seam(all);
+    cut_open();
     if(!m_summary.cut.is_valid())
       return fail(m_summary.cut.status, "the surface was not cut open: " + m_summary.cut.message);
     {
@@ -139,6 +111,47 @@ public:
   }
 
 private:
+  // Cuts sharp edges and creases, makes charts of pieces that need no seam, and returns the faces of all others.
+  std::vector<std::int32_t> keep_what_needs_no_seam(const std::vector<std::int32_t>& all)
+  {
+    const Phase_timer timer(m_summary.flatten_seconds);
+    std::vector<std::int32_t> others;
+    cut_sharp_edges();
+    ask_deadline();
+    enqueue_parts(all);
+    std::deque<Piece> parts;
+    parts.swap(m_queue);
+    if(m_options.is_bounded()) {
+      for(const Piece& piece : parts) {
+        ask_deadline();
+        cut_creases(piece);
+      }
+      enqueue_parts(all);
+      parts.swap(m_queue);
+      m_queue.clear();
+    }
+    for(Piece& piece : parts) {
+      ask_deadline();
+      if(!keep_holes(piece))
+        others.insert(others.end(), piece.faces.begin(), piece.faces.end());
+    }
+    return others;
+  }
+
+  void cut_open()
+  {
+    const Phase_timer timer(m_summary.cut_seconds);
+    const std::vector<char> was_cut = m_is_cut;
+    Cut_options cut = m_options.cut;
+    cut.target_energy = first_target();
+    cut.cut_disks = cut.cut_disks || m_options.is_bounded();
+    m_summary.cut = cut_triangles(m_surface, m_is_cut, m_is_feature, cut, [this] { return must_stop(); });
+    m_summary.cut.seam_length = std::ldexp(m_summary.cut.seam_length, m_surface.exponent);
+    for(const Flat_chart& chart : m_charts)
+      for(const std::int32_t f : chart.faces)
+        std::copy(was_cut.begin() + 3 * f, was_cut.begin() + 3 * f + 3, m_is_cut.begin() + 3 * f);
+  }
+
   void say_how_it_ended()
   {
     const auto ended = [this](Status status) {

@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/measure/internal/Border_curves.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +53,11 @@ public:
   bool make_patch(const Positions<2>& x, const Stretch& stretch, Patch& patch) const;
 
 private:
+  // Vertices and where they go.
+  using Goals = std::vector<std::pair<std::int32_t, Vector<2>>>;
+  // The places on both sides of the line midway between those of a stretch.
+  Goals goals(const Positions<2>& x, const Stretch& stretch) const;
+
   // How far from the other side of an edge, in edges, one that crosses it may be.
   static constexpr int NEAR = 12;
   // The part of the length of a stretch by which its sides may lie over each other.

@@ -154,10 +154,9 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Chart_zipper::rings(const s
   return result;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Chart_zipper::make_patch(const Positions<2>& x, const Stretch& stretch, Patch& patch) const
+CGAL_FLIP_FREE_MAPS_INLINE Chart_zipper::Goals Chart_zipper::goals(const Positions<2>& x, const Stretch& stretch) const
 {
-  // Where the vertices on both sides go.
-  std::vector<std::pair<std::int32_t, Vector<2>>> goals;
+  Goals result;
   std::unordered_set<std::int32_t> has_goal;
   const auto part = [&](std::int32_t v, std::int32_t w, const Vector<2>& normal) {
     if(v != w && !(normal.dot(x.col(w) - x.col(v)) < 2 * m_gap))
@@ -167,9 +166,9 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_zipper::make_patch(const Positions<2>& x, 
       return;
     has_goal.insert({v, w});
     const Vector<2> middle = 0.5 * (x.col(v) + x.col(w));
-    goals.emplace_back(v, v == w ? middle : Vector<2>(middle - m_gap * normal));
+    result.emplace_back(v, v == w ? middle : Vector<2>(middle - m_gap * normal));
     if(v != w)
-      goals.emplace_back(w, middle + m_gap * normal);
+      result.emplace_back(w, middle + m_gap * normal);
   };
   for(const std::int32_t e : stretch) {
     const Border_edge& a = m_border.edges()[e];
@@ -178,6 +177,12 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_zipper::make_patch(const Positions<2>& x, 
     part(a.source, b.target, normal);
     part(a.target, b.source, normal);
   }
+  return result;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_zipper::make_patch(const Positions<2>& x, const Stretch& stretch, Patch& patch) const
+{
+  const Goals goals = this->goals(x, stretch);
   std::vector<std::int32_t> centers;
   for(const auto& goal : goals)
     centers.push_back(goal.first);
