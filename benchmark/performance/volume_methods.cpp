@@ -113,7 +113,7 @@ void choose_linear_solver(const std::string& name, FFM::Any_map_traits& traits)
 
 void choose_method(const std::string& method, FFM::Any_map_traits& traits)
 {
-  traits.use_method(method.find("killing") == std::string::npos ? method : "akvf");
+  traits.use_method(method.find("killing") == std::string::npos ? method : "akvf+");
   if(method == "stiff-killing")
     traits.preconditioner = FFM::Any_preconditioner(FFM::Killing{FFM::Killing_weight::stiffness});
 }
