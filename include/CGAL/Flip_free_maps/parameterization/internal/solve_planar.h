@@ -30,11 +30,12 @@ namespace internal {
 
 // Whether a minimizer can be told to stop early and to go on.
 template <typename Minimizer, typename = void>
-struct Has_options : std::false_type
+struct Has_map_options : std::false_type
 {};
 
 template <typename Minimizer>
-struct Has_options<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().options().keep_factorization)>> : std::true_type
+struct Has_map_options<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().options())>>
+  : std::is_same<decltype(std::declval<Minimizer&>().options()), Map_options&>
 {};
 
 // Relative decrease of the energy in an iteration at which a map is rough.
@@ -44,7 +45,7 @@ constexpr double ROUGH = 1e-3;
 template <typename Minimizer>
 void minimize_unless_hopeless(const Planar_request& request, Minimizer& minimizer, Positions<2>& x, Summary& summary)
 {
-  if constexpr(Has_options<Minimizer>::value)
+  if constexpr(Has_map_options<Minimizer>::value)
     if(request.is_hopeless) {
       Map_options& options = minimizer.options();
       const Map_options given = options;
