@@ -64,9 +64,12 @@ class Maker:
         """The surface with a checkerboard, and its atlas."""
         self.run("unwrap", mesh, "--png", self.figure(name + "_atlas"), "--png3d", self.figure(name), "--picture-width", WIDTH, *options)
 
-    def parameterize(self, name, mesh, *options):
-        self.run("parameterize", mesh, "-o", self.file(name + ".obj"), "--png", self.figure(name + "_layout"), "--png3d",
-                 self.figure(name), "--picture-width", WIDTH, *options)
+    def parameterize(self, name, mesh, *options, shows_surface=True):
+        """The layout, and the surface with a checkerboard."""
+        pictures = ["--png", self.figure(name + "_layout"), "--picture-width", WIDTH]
+        if shows_surface:
+            pictures += ["--png3d", self.figure(name)]
+        self.run("parameterize", mesh, *pictures, *options)
 
     def write(self, name, text):
         with open(self.file(name), "w", encoding="ascii") as out:
@@ -147,7 +150,6 @@ def atlases(maker):
     maker.unwrap("unwrap_organic", maker.mesh("elephant.off"))
     maker.unwrap("unwrap_bear", maker.mesh("bear.off"))
     maker.unwrap("unwrap_cad", maker.mesh("fandisk.off"))
-    maker.unwrap("unwrap_rotor", maker.mesh("rotor.off"))
     # Without a bound, and with a tight one.
     maker.unwrap("unwrap_no_bound", maker.mesh("bear.off"), "--max-distortion", "inf", "--branches", "none", "--min-occupancy", "0")
     maker.unwrap("unwrap_tight_bound", maker.mesh("bear.off"), "--max-distortion", "1.005")
@@ -158,15 +160,16 @@ def layouts(maker):
     maker.parameterize("start", mesh, "--start", "tutte", "--max-iterations", "0", "--picture-up", "z")
     maker.parameterize("parameterize", mesh, "--picture-up", "z")
     strip = maker.write("strip.off", off_text(*spiral(160, 8, 1.4)))
-    maker.parameterize("overlapping", strip)
-    maker.parameterize("bijective", strip, "--bijective")
-    maker.parameterize("free_border", maker.mesh("nefertiti.off"))
-    maker.parameterize("fixed_border", maker.mesh("nefertiti.off"), "--start", "tutte", "--border", "square", "--fix-border")
+    maker.parameterize("overlapping", strip, shows_surface=False)
+    maker.parameterize("bijective", strip, "--bijective", shows_surface=False)
+    maker.parameterize("free_border", maker.mesh("nefertiti.off"), shows_surface=False)
+    maker.parameterize("fixed_border", maker.mesh("nefertiti.off"), "--start", "tutte", "--border", "square", "--fix-border",
+                       shows_surface=False)
 
 
 def energies(maker):
     mesh = maker.mesh("lion-head.off")
-    for energy in ("symmetric-dirichlet", "exponential-symmetric-dirichlet", "conformal", "symmetric-arap"):
+    for energy in ("symmetric-dirichlet", "exponential-symmetric-dirichlet", "conformal"):
         maker.parameterize("energy_" + energy.replace("-", "_"), mesh, "--energy", energy)
 
 
