@@ -129,3 +129,30 @@ BOOST_AUTO_TEST_CASE(a_limit_for_each_chart_does_not_end_late_ones)
   BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::time_limit));
   BOOST_TEST(summary.energy < 2);
 }
+
+// A seam of one edge whose ends are inside has the same vertices on both sides.
+BOOST_AUTO_TEST_CASE(seams_of_one_edge)
+{
+  for(const bool is_closed : {false, true}) {
+    Soup soup = is_closed ? ball_soup() : saddle_soup(8, 0);
+    Atlas_surface surface(soup);
+    const std::vector<Mesh::Edge_index> edges(surface.mesh.edges().begin(), surface.mesh.edges().end());
+    for(std::size_t i = 0; i < edges.size(); i += edges.size() / 3) {
+      const auto h = surface.mesh.halfedge(edges[i]);
+      surface.user[edges[i]] = !surface.mesh.is_border(surface.mesh.source(h)) && !surface.mesh.is_border(surface.mesh.target(h));
+    }
+    for(const double bound : {1.025, std::numeric_limits<double>::infinity()}) {
+      FFM::Unwrap_options options = plain_options();
+      options.max_distortion = bound;
+      const FFM::Unwrap_summary summary = surface.unwrap(options);
+      BOOST_TEST_CONTEXT((is_closed ? "closed" : "open") << ", bound " << bound)
+      {
+        check_atlas(surface, summary);
+        if(!is_closed) {
+          BOOST_TEST(std::abs(summary.energy - 1) <= 1e-6);
+          BOOST_TEST(summary.charts.size() == 1u);
+        }
+      }
+    }
+  }
+}

@@ -1215,13 +1215,13 @@ check "handles on their way are told" grep -q 'before the fixed vertices reached
 check "the shape on the way is written" test -s limited.off
 
 # Ctrl-C and SIGTERM: likewise, within a second or so. A run that would take long by its tolerance.
-grid off 250 250 > long.off
+grid off 120 120 > long.off
 for signal in INT TERM; do
   if [ $signal = INT ] && trap -p INT | grep -q "''"; then
     echo "skipped: SIGINT is ignored here"
     continue
   fi
-  rm -f stopped.obj
+  rm -f stopped.obj stopped.json
   code=130
   [ $signal = INT ] || code=143
   timeout --preserve-status --signal=$signal --kill-after=20 3 "$program" parameterize long.off --method aqp --tolerance 0 \

@@ -92,6 +92,9 @@ protected:
 
   Open_piece open(const std::vector<std::int32_t>& faces);
 
+  // A seam of a single edge opens nothing where no other seam meets it: both of its sides have the same vertices. They are joined.
+  static void close_slits(Linked_triangles& open);
+
   // A halfedge of the border that becomes the outer one; null when the piece is closed.
   static Halfedge longest_border(const Open_piece& open);
 

@@ -80,6 +80,27 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_surface::enqueue_parts(const std::vector<s
   }
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_surface::close_slits(Linked_triangles& open)
+{
+  std::vector<std::array<std::int32_t, 3>> sides; // smaller vertex, larger vertex, halfedge
+  for(std::size_t h = 0; h < open.opposite.size(); ++h)
+    if(open.opposite[h] < 0) {
+      const std::int32_t v = open.triangles[h / 3][h % 3], w = open.triangles[h / 3][(h + 1) % 3];
+      sides.push_back({{(std::min)(v, w), (std::max)(v, w), static_cast<std::int32_t>(h)}});
+    }
+  std::sort(sides.begin(), sides.end());
+  const auto source = [&open](std::int32_t h) { return open.triangles[h / 3][h % 3]; };
+  for(std::size_t i = 0, j; i < sides.size(); i = j) {
+    for(j = i + 1; j < sides.size() && sides[j][0] == sides[i][0] && sides[j][1] == sides[i][1];)
+      ++j;
+    const std::int32_t g = sides[i][2], h = sides[j - 1][2];
+    if(j - i == 2 && source(g) != source(h)) {
+      open.opposite[g] = h;
+      open.opposite[h] = g;
+    }
+  }
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Open_piece Chart_surface::open(const std::vector<std::int32_t>& faces)
 {
   Open_piece piece;
@@ -101,6 +122,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Open_piece Chart_surface::open(const s
   open.triangles.resize(m);
   for(std::size_t i = 0; i < vertices.size(); ++i)
     open.triangles[i / 3][i % 3] = vertices[i];
+  close_slits(open);
   open.points.resize(3, first_corners.size());
   std::vector<Vertex> mesh_vertices;
   for(std::size_t v = 0; v < first_corners.size(); ++v) {
