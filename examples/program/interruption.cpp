@@ -10,6 +10,7 @@
 #include <CGAL/Flip_free_maps/IO/internal/file_helpers.h>
 
 #if defined(__unix__) || defined(__APPLE__)
+#include <time.h>
 #include <unistd.h>
 #endif
 
@@ -39,13 +40,41 @@ void note_temporary_file(const char* path)
   has_temporary_file = 1;
 }
 
+#if defined(__unix__) || defined(__APPLE__)
+// Milliseconds of a clock that handlers may read.
+long long milliseconds()
+{
+  timespec now;
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return 1000LL * now.tv_sec + now.tv_nsec / 1000000;
+}
+
+// Read and written by handlers only.
+long long first_signal_at = 0;
+#endif
+
+// Whether the first signal came just now: timeout(1) sends it to the program and once more to its group, which is one wish.
+bool is_echo()
+{
+#if defined(__unix__) || defined(__APPLE__)
+  return milliseconds() - first_signal_at < 200;
+#else
+  return false;
+#endif
+}
+
 extern "C" void handle_signal(int signal)
 {
+  std::signal(signal, handle_signal); // some systems have forgotten it
   if(signal_number == 0) {
+#if defined(__unix__) || defined(__APPLE__)
+    first_signal_at = milliseconds();
+#endif
     signal_number = signal;
-    std::signal(signal, handle_signal); // some systems have forgotten it
     return;
   }
+  if(is_echo())
+    return;
 #if defined(__unix__) || defined(__APPLE__)
   if(has_temporary_file)
     ::unlink(temporary_file);

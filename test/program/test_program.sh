@@ -1224,6 +1224,7 @@ for signal in INT TERM; do
   rm -f stopped.obj stopped.json
   code=130
   [ $signal = INT ] || code=143
+  # timeout sends the signal twice, which counts once.
   timeout --preserve-status --signal=$signal --kill-after=20 3 "$program" parameterize long.off --method aqp --tolerance 0 \
     --max-iterations 100000000 -o stopped.obj --json stopped.json > out.txt 2> err.txt
   check "SIG$signal has an exit code of its own" test $? -eq $code
