@@ -71,6 +71,11 @@ class Maker:
             pictures += ["--png3d", self.figure(name)]
         self.run("parameterize", mesh, *pictures, *options)
 
+    def deform(self, name, mesh, handles, width):
+        """The shape, before and after if it is a solid; a handle is a line of a file."""
+        file = self.write(name + ".txt", "\n".join(handles) + "\n")
+        self.run("deform", mesh, "--handles", file, "--png", self.figure(name), "--picture-width", width)
+
     def write(self, name, text):
         with open(self.file(name), "w", encoding="ascii") as out:
             out.write(text)
@@ -183,8 +188,7 @@ def planar_shapes(maker):
         elif x == 5:
             angle = 0.75 * math.pi
             lines.append(f"{v} {1.5 - math.sin(angle) * (y - 0.5)} {2.4 + math.cos(angle) * (y - 0.5)}")
-    handles = maker.write("bar.txt", "\n".join(lines) + "\n")
-    maker.run("deform", mesh, "--handles", handles, "--png", maker.figure("deform_bar"), "--picture-width", WIDTH)
+    maker.deform("deform_bar", mesh, lines, WIDTH)
 
 
 def solids(maker):
@@ -196,8 +200,7 @@ def solids(maker):
             lines.append(f"{v} {x} {y} {z}")
         elif x == 5:
             lines.append(f"{v} {x} {1 - z} {y}")
-    handles = maker.write("box.txt", "\n".join(lines) + "\n")
-    maker.run("deform", mesh, "--handles", handles, "--png", maker.figure("deform_solid"), "--picture-width", 2 * WIDTH)
+    maker.deform("deform_solid", mesh, lines, 2 * WIDTH)
 
 
 def organic_solid(maker):
@@ -211,8 +214,7 @@ def organic_solid(maker):
             lines.append(f"{v} {x} {y} {z}")
         elif y > high - 0.02 * (high - low):
             lines.append(f"{v} {x + 0.35 * (high - low)} {y - 0.1 * (high - low)} {z}")
-    handles = maker.write("elephant.txt", "\n".join(lines) + "\n")
-    maker.run("deform", mesh, "--handles", handles, "--png", maker.figure("deform_elephant"), "--picture-width", 2 * WIDTH)
+    maker.deform("deform_elephant", mesh, lines, 2 * WIDTH)
 
 
 def repair(maker):

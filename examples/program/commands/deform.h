@@ -48,6 +48,9 @@ void check_solid_output(const Deform_arguments& arguments);
 // ... or does not hold the kinds of cells of this file.
 void check_solid_output(const Deform_arguments& arguments, const Volume_file& file);
 
+// Reads the solid that a call names, into a domain as well; fails where it or its output cannot be had.
+Solid_input read_solid_to_map(const Deform_arguments& arguments, FFM::Tetrahedral_domain& volume);
+
 // Fills a closed surface with tetrahedra.
 FFM::Tetrahedral_mesh tetrahedralized(const Mesh& surface, double cell_size);
 

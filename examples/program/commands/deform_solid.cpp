@@ -85,6 +85,19 @@ void check_solid_output(const Deform_arguments& arguments, const Volume_file& fi
   check(reason.empty(), reason);
 }
 
+Solid_input read_solid_to_map(const Deform_arguments& arguments, FFM::Tetrahedral_domain& volume)
+{
+  check_folders(files_of(arguments));
+  check_solid_output(arguments);
+  Solid_input input = read_solid(arguments.input, arguments.second_order);
+  check_solid_output(arguments, input.file);
+  std::string message;
+  const Status status = volume.load(input.solid.mesh.points, input.solid.mesh.tetrahedra, message);
+  if(status != Status::success)
+    throw Failure{status, message};
+  return input;
+}
+
 std::vector<Kernel::Point_3> points_of(const FFM::Tetrahedral_mesh& mesh)
 {
   std::vector<Kernel::Point_3> result;

@@ -43,9 +43,7 @@ public:
     add_solid_options(*app, m_arguments);
     add_limit_options(*app, m_arguments.method);
     refuse_without_cairo(app->add_option("--png", m_arguments.pictures.png, "draw the solid before and after, coloured by distortion"));
-    app->add_option("--picture-width", m_arguments.pictures.width, "width of the drawing in pixels")
-      ->check(CLI::Range(320, 16000))
-      ->capture_default_str();
+    add_picture_width(*app, m_arguments.pictures);
   }
 
   int run() override
@@ -60,16 +58,9 @@ public:
 private:
   void map(FFM::Summary& summary)
   {
-    check_folders(files_of(m_arguments));
-    check_solid_output(m_arguments);
-    Solid_input input = read_solid(m_arguments.input, m_arguments.second_order);
-    check_solid_output(m_arguments, input.file);
-    const FFM::Tetrahedral_mesh& mesh = input.solid.mesh;
-    std::string message;
     FFM::Tetrahedral_domain volume;
-    const Status status = volume.load(mesh.points, mesh.tetrahedra, message);
-    if(status != Status::success)
-      throw Failure{status, message};
+    Solid_input input = read_solid_to_map(m_arguments, volume);
+    const FFM::Tetrahedral_mesh& mesh = input.solid.mesh;
 
     std::vector<Kernel::Point_3> result = points_of(mesh);
     if(!m_arguments.start.empty()) {
@@ -106,6 +97,7 @@ private:
       return;
     if(options.polish)
       traits.name_choices(summary);
+    std::string message;
     const Status written = volume.write_back(x, CGAL::make_property_map(result), message, exact_places);
     if(written != Status::success)
       throw Failure{written, message};

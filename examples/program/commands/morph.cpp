@@ -84,16 +84,9 @@ public:
 private:
   void morph(FFM::Morph_summary& summary)
   {
-    check_folders(files_of(m_arguments));
-    check_solid_output(m_arguments);
-    Solid_input input = read_solid(m_arguments.input, m_arguments.second_order);
-    check_solid_output(m_arguments, input.file);
-    const FFM::Tetrahedral_mesh& mesh = input.solid.mesh;
-    std::string message;
     FFM::Tetrahedral_domain volume;
-    const Status status = volume.load(mesh.points, mesh.tetrahedra, message);
-    if(status != Status::success)
-      throw Failure{status, message};
+    Solid_input input = read_solid_to_map(m_arguments, volume);
+    const FFM::Tetrahedral_mesh& mesh = input.solid.mesh;
 
     const Places places = read_places_of(input, volume);
     FFM::Repair_options options;

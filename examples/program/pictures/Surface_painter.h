@@ -42,6 +42,22 @@ inline Eigen::Matrix3d view_axes(const Eigen::Vector3d& direction, const Eigen::
   return axes;
 }
 
+// From a little above, and so many degrees beside an axis that is level. `up` has length 1.
+inline Eigen::Vector3d direction_from_above(const Eigen::Vector3d& up, double degrees)
+{
+  const Eigen::Vector3d x = std::abs(up[0]) < 0.9 ? (Eigen::Vector3d::UnitX() - up * up[0]).normalized() : up.unitOrthogonal();
+  const double angle = degrees * 3.14159265358979323846 / 180;
+  return std::cos(angle) * x + std::sin(angle) * x.cross(up) + 0.3 * up;
+}
+
+// The light on a triangle with this normal in the axes of the picture. Both sides are lit alike: the orientation of the triangles is
+// the user's choice.
+inline double brightness(const Eigen::Vector3d& normal)
+{
+  const Eigen::Vector3d light = Eigen::Vector3d(-0.35, 0.5, 0.8).normalized();
+  return (std::max)(0.25, 0.68 + 0.32 * (normal[2] < 0 ? -1 : 1) * normal.dot(light));
+}
+
 // Draws shaded triangles into an image with a depth buffer, by orthographic projection.
 class Surface_raster
 {

@@ -189,13 +189,10 @@ private:
   // A little from above and 30 degrees beside an axis, so that boxes show three sides.
   Eigen::Matrix3d default_axes(const Eigen::Vector3d& up) const
   {
-    const Eigen::Vector3d x = std::abs(up[0]) < 0.9 ? (Eigen::Vector3d::UnitX() - up * up[0]).normalized() : up.unitOrthogonal();
-    const Eigen::Vector3d z = x.cross(up);
-    Eigen::Vector3d best = z;
+    Eigen::Vector3d best = up;
     double most = -1;
     for(const double degrees : {30., 60., 120., 150.}) {
-      const double angle = degrees * 3.14159265358979323846 / 180;
-      const Eigen::Vector3d direction = std::cos(angle) * x + std::sin(angle) * z + 0.3 * up;
+      const Eigen::Vector3d direction = direction_from_above(up, degrees);
       double shown = 0;
       for(const std::array<int, 3>& t : m_views[0].triangles)
         shown += std::abs(area_vector(m_views[0], t).dot(direction));
@@ -252,16 +249,11 @@ private:
       length += ((c.col(1) - c.col(0)).norm() + (c.col(2) - c.col(1)).norm() + (c.col(0) - c.col(2)).norm()) / 2;
     }
     const bool has_lines = length * line_width < 0.3 * area;
-    const Eigen::Vector3d light = Eigen::Vector3d(-0.35, 0.5, 0.8).normalized();
     for(std::size_t i = 0; i < view.triangles.size(); ++i) {
-      // Both sides are lit alike: the orientation of the triangles is the user's choice.
-      Eigen::Vector3d normal = m_axes * area_vector(view, view.triangles[i]).normalized();
-      if(normal[2] < 0)
-        normal = -normal;
-      const double brightness = (std::max)(0.25, 0.68 + 0.32 * normal.dot(light));
+      const double light = brightness(m_axes * area_vector(view, view.triangles[i]).normalized());
       Rgb shaded = color(view, i);
       for(double& c : shaded)
-        c *= brightness;
+        c *= light;
       raster.draw(corners(view.triangles[i]), shaded, has_lines ? line_width : 0.);
     }
     raster.paint(context, left, top, factor);

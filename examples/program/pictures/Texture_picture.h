@@ -165,12 +165,9 @@ private:
   // From a little above, and 30 degrees beside the axes, so that boxes show three sides.
   void find_views(const Eigen::Vector3d& up)
   {
-    const Eigen::Vector3d x = std::abs(up[0]) < 0.9 ? (Eigen::Vector3d::UnitX() - up * up[0]).normalized() : up.unitOrthogonal();
-    const Eigen::Vector3d z = x.cross(up);
     for(int i = 0; i < 4; ++i) {
-      const double angle = (60 - 90 * i) * CGAL_PI / 180;
       View& view = m_views[i];
-      view.axes = view_axes(std::cos(angle) * x + std::sin(angle) * z + 0.3 * up, up);
+      view.axes = view_axes(direction_from_above(up, 60 - 90 * i), up);
       view.low = view.high = view.axes * point(0, 0);
       for(std::size_t t = 0; t < m_mesh.triangles.size(); ++t)
         for(int k = 0; k < 3; ++k) {
@@ -196,7 +193,6 @@ private:
     const int factor = 3;
     Surface_raster raster(factor * cell_width, factor * cell_height);
     const Eigen::Vector3d middle(factor * cell_width / 2., factor * cell_height / 2., 0), center = (view.low + view.high) / 2;
-    const Eigen::Vector3d light = Eigen::Vector3d(-0.35, 0.5, 0.8).normalized();
     const double seam_width = factor * (std::max)(2., m_options.width / 500.);
     for(std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
       Eigen::Matrix3d corners;
@@ -204,11 +200,7 @@ private:
         const Eigen::Vector3d p = factor * scale * (view.axes * point(i, k) - center);
         corners.col(k) = middle + Eigen::Vector3d(p[0], -p[1], p[2]);
       }
-      // Both sides are lit alike: the orientation of the triangles is the user's choice.
-      Eigen::Vector3d normal = view.axes * (point(i, 1) - point(i, 0)).cross(point(i, 2) - point(i, 0)).normalized();
-      if(normal[2] < 0)
-        normal = -normal;
-      const double brightness = (std::max)(0.25, 0.68 + 0.32 * normal.dot(light));
+      const double light = brightness(view.axes * (point(i, 1) - point(i, 0)).cross(point(i, 2) - point(i, 0)).normalized());
       const Eigen::Vector2d a = image(i, 0), b = image(i, 1) - a, c = image(i, 2) - a;
       const bool is_flipped = !(b[0] * c[1] - b[1] * c[0] > 0);
       const std::array<bool, 3>& is_seam = m_is_seam[i];
@@ -218,7 +210,7 @@ private:
             return Rgb{{0.78, 0.10, 0.08}};
         Rgb color = is_flipped ? Rgb{{1, 0, 1}} : square_color(a + w[1] * b + w[2] * c);
         for(double& channel : color)
-          channel *= brightness;
+          channel *= light;
         return color;
       });
     }
