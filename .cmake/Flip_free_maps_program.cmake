@@ -1,7 +1,7 @@
 # The parts of the program that tests compile, too: file formats and pictures, in examples/program/. They are no part of the
 # package, and neither are Cairo, which draws the pictures, and zlib, which compresses VTU files.
 #
-# Reads     FLIP_FREE_MAPS_WITH_CAIRO, FLIP_FREE_MAPS_WITH_ZLIB
+# Reads     FLIP_FREE_MAPS_UNITY_BUILD, FLIP_FREE_MAPS_WITH_CAIRO, FLIP_FREE_MAPS_WITH_ZLIB
 # Creates   flip_free_maps_program, their headers; flip_free_maps_formats, their sources
 # Sets      FLIP_FREE_MAPS_CAIRO_STATUS, FLIP_FREE_MAPS_ZLIB_STATUS (text for the user)
 
@@ -37,6 +37,9 @@ endif()
 
 file(GLOB format_files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/program/formats/*.cpp")
 add_library(flip_free_maps_formats STATIC EXCLUDE_FROM_ALL ${format_files})
+if(FLIP_FREE_MAPS_UNITY_BUILD)
+  set_target_properties(flip_free_maps_formats PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+endif()
 target_link_libraries(flip_free_maps_formats PUBLIC flip_free_maps_program)
 target_compile_options(flip_free_maps_formats PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra>)
 

@@ -25,6 +25,13 @@ namespace {
 
 using Soft_position = std::tuple<std::size_t, Kernel::Point_2, double>;
 
+// An array as a property map.
+template <typename Values>
+auto by_number(const Values& values)
+{
+  return boost::make_iterator_property_map(values.begin(), boost::typed_identity_property_map<std::size_t>());
+}
+
 class Parameterize : public Command
 {
 public:
@@ -138,13 +145,6 @@ private:
       return FFM::parameterize(surface.points, surface.polygons, uv, constraints);
     const std::vector<Kernel::Point_2> given = vertex_texture(m_start.start, surface);
     return FFM::parameterize(surface.points, surface.polygons, uv, FFM::parameters::start_map(by_number(given), constraints));
-  }
-
-  // An array as a property map.
-  template <typename Values>
-  static auto by_number(const Values& values)
-  {
-    return boost::make_iterator_property_map(values.begin(), boost::typed_identity_property_map<std::size_t>());
   }
 
   Method_arguments m_method;

@@ -32,10 +32,9 @@ template class Soft_positions<3>;
 
 namespace internal {
 
-template void project_to_psd<2>(Eigen::Matrix<double, 2, 2>&, bool);
-template void project_to_psd<3>(Eigen::Matrix<double, 3, 3>&, bool);
-template void project_to_psd<6>(Eigen::Matrix<double, 6, 6>&, bool);
-template void project_to_psd<12>(Eigen::Matrix<double, 12, 12>&, bool);
+template void project_to_psd(Eigen::Matrix<double, 2, 2>&, bool);
+template void project_to_psd(Eigen::Matrix<double, 3, 3>&, bool);
+template void project_to_psd(Element_matrix&, bool);
 template class Handle_groups<2>;
 template class Handle_groups<3>;
 template void remove_rigid_motion<2>(const Positions<2>&, Eigen::VectorXd&);

@@ -221,7 +221,7 @@ private:
       Matrix hessian;
       m_energy.template derivatives<D>(p, gradient, hessian);
       gradient = c * gradient + p - q;
-      internal::project_to_psd<D>(hessian);
+      internal::project_to_psd(hessian);
       hessian *= c;
       hessian.diagonal().array() += 1;
       const Vector direction = -(hessian.inverse() * gradient);

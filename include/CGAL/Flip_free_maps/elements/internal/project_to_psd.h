@@ -12,35 +12,43 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <cmath>
+
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
+// The matrix of one element on the displacements of its vertices, of a size for all dimensions, so that its eigenvalues, which take
+// long to compile, are computed by one function.
+using Element_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 12>;
+
 // Replaces the eigenvalues of a symmetric matrix by their positive parts or, when `absolute`, by their absolute values. Matrices
 // that are diagonally dominant with a positive diagonal, the common case, are left as they are without computing eigenvalues.
-template <int N>
-void project_to_psd(Eigen::Matrix<double, N, N>& matrix, bool absolute = false)
+template <typename Matrix>
+void project_to_psd(Matrix& matrix, bool absolute = false)
 {
   bool dominant = true;
-  for(int i = 0; i < N; ++i)
+  for(int i = 0; i < matrix.rows(); ++i)
     dominant = dominant && 2 * matrix(i, i) >= matrix.row(i).cwiseAbs().sum();
   if(dominant)
     return;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen;
-  if constexpr(N <= 3)
+  using Eigensystem = Eigen::SelfAdjointEigenSolver<Matrix>;
+  Eigensystem eigen;
+  if constexpr(Matrix::RowsAtCompileTime == 2 || Matrix::RowsAtCompileTime == 3)
     eigen.computeDirect(matrix);
   else
     eigen.compute(matrix);
-  Eigen::Matrix<double, N, 1> values = eigen.eigenvalues();
-  values = values.cwiseMax(absolute ? Eigen::Matrix<double, N, 1>(-values) : Eigen::Matrix<double, N, 1>::Zero());
+  typename Eigensystem::RealVectorType values = eigen.eigenvalues();
+  for(double& value : values)
+    value = absolute ? std::abs(value) : (std::max)(value, 0.);
   matrix = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
-extern template void project_to_psd<2>(Eigen::Matrix<double, 2, 2>&, bool);
-extern template void project_to_psd<3>(Eigen::Matrix<double, 3, 3>&, bool);
-extern template void project_to_psd<6>(Eigen::Matrix<double, 6, 6>&, bool);
-extern template void project_to_psd<12>(Eigen::Matrix<double, 12, 12>&, bool);
+extern template void project_to_psd(Eigen::Matrix<double, 2, 2>&, bool);
+extern template void project_to_psd(Eigen::Matrix<double, 3, 3>&, bool);
+extern template void project_to_psd(Element_matrix&, bool);
 #endif
 
 } // namespace internal

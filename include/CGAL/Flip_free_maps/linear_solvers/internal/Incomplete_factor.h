@@ -13,7 +13,6 @@
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Incomplete_factor_base.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/cuthill_mckee_order.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -202,18 +201,32 @@ bool Incomplete_factor<b>::eliminate(double shift)
 template <int b>
 bool Incomplete_factor<b>::invert(Block& pivot, double least)
 {
-  const Eigen::LLT<Block> factor(pivot);
-  if(factor.info() != Eigen::Success)
-    return false;
-  const Block root = factor.matrixL();
-  for(int i = 0; i < b; ++i)
-    if(!(root(i, i) * root(i, i) > least && std::isfinite(root(i, i))))
-      return false;
-  // Symmetric to the last bit.
-  const Block inverse = root.template triangularView<Eigen::Lower>().solve(Block::Identity());
+  // The inverse of a Cholesky factor; written out, since the decompositions of the library take longer to compile than all else here.
+  Block root = Block::Zero(), inverse = Block::Zero();
+  for(int j = 0; j < b; ++j) {
+    for(int i = j; i < b; ++i) {
+      root(i, j) = pivot(i, j);
+      for(int k = 0; k < j; ++k)
+        root(i, j) -= root(i, k) * root(j, k);
+      if(i == j && !(root(j, j) > least && std::isfinite(root(j, j))))
+        return false;
+      root(i, j) = i == j ? std::sqrt(root(j, j)) : root(i, j) / root(j, j);
+    }
+    inverse(j, j) = 1 / root(j, j);
+    for(int i = 0; i < j; ++i) {
+      for(int k = i; k < j; ++k)
+        inverse(j, i) -= root(j, k) * inverse(k, i);
+      inverse(j, i) *= inverse(j, j);
+    }
+  }
   for(int j = 0; j < b; ++j)
-    for(int i = j; i < b; ++i)
-      pivot(i, j) = pivot(j, i) = inverse.col(i).dot(inverse.col(j));
+    for(int i = j; i < b; ++i) {
+      double product = 0;
+      for(int k = i; k < b; ++k)
+        product += inverse(k, i) * inverse(k, j);
+      // Symmetric to the last bit.
+      pivot(i, j) = pivot(j, i) = product;
+    }
   return true;
 }
 
