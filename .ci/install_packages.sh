@@ -5,7 +5,7 @@
 
 set -euo pipefail
 
-common=(cmake g++ ninja-build pkg-config libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas-dev libtbb-dev
+common=(cmake g++ make ninja-build pkg-config libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas-dev libtbb-dev
         libcairo2-dev zlib1g-dev libtet1.5-dev libcli11-dev nlohmann-json3-dev)
 
 python=(pybind11-dev python3-dev python3-numpy python3-pytest)

@@ -17,7 +17,7 @@ rm -rf -- "$work/source"
 mkdir -p -- "$work/source"
 tar -C "$root" --exclude=./build --exclude=./.git -cf - . | tar -C "$work/source" -xf -
 cmake -S "$work/source" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DFLIP_FREE_MAPS_BUILD_TESTS=ON \
-      -DFLIP_FREE_MAPS_DATA_DIR="$root/../shared/data" > /dev/null
+      -DFLIP_FREE_MAPS_UNITY_BUILD=OFF -DFLIP_FREE_MAPS_DATA_DIR="$root/../shared/data" > /dev/null
 
 build()
 {

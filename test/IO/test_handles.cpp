@@ -7,7 +7,6 @@
 
 // Handle files in both forms, the rule of the nearest vertex against a search through all vertices, and broken files.
 
-#define BOOST_TEST_MODULE handles
 #include "support/unit_test.h"
 
 #include "support/volume_checks.h"
@@ -23,6 +22,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_handles)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -186,3 +187,5 @@ BOOST_AUTO_TEST_CASE(handles_of_real_meshes, *boost::unit_test::label("needs_dat
     BOOST_TEST(handles.targets.cols() == static_cast<Eigen::Index>(c.count));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_handles

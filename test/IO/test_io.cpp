@@ -7,7 +7,6 @@
 
 // Files: exact round trips, messages for every kind of broken input, and pictures that are read back and looked at.
 
-#define BOOST_TEST_MODULE io
 #include "support/unit_test.h"
 
 #include "program/pictures/Layout_picture.h"
@@ -35,6 +34,8 @@
 
 #include <memory>
 #endif
+
+BOOST_AUTO_TEST_SUITE(test_io)
 
 namespace FFM = CGAL::Flip_free_maps;
 namespace fs = std::filesystem;
@@ -797,3 +798,5 @@ BOOST_AUTO_TEST_CASE(numbers_by_streams)
       }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_io

@@ -7,7 +7,6 @@
 
 // Files that are written back with other texture coordinates or points, and with nothing else changed.
 
-#define BOOST_TEST_MODULE polygon_document
 #include "support/unit_test.h"
 
 #include "program/formats/Polygon_document.h"
@@ -23,6 +22,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_polygon_document)
 
 namespace {
 
@@ -274,3 +275,5 @@ BOOST_AUTO_TEST_CASE(PLY_in_words)
   const std::string large = program::make_document(".ply", head + "end_header\r\n" + vertices + polygon + "\r\n")->with_images(images, "");
   BOOST_TEST((read(large, ".ply").images == images));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_polygon_document

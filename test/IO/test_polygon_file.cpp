@@ -7,7 +7,6 @@
 
 // Surfaces in all dialects of OFF, OBJ, PLY and STL, and in files that claim what they do not hold.
 
-#define BOOST_TEST_MODULE polygon_file
 #include "support/unit_test.h"
 
 #include "program/formats/Polygon_file.h"
@@ -21,6 +20,8 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_polygon_file)
 
 namespace {
 
@@ -300,3 +301,5 @@ BOOST_AUTO_TEST_CASE(texture_coordinates)
   // Who does not ask for them does not stumble over them.
   BOOST_TEST(is_read(vertices + "vt nan 0\nf 1/9 2/9 3/x\nf 1/1/1/1 3 4\n", "obj"));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_polygon_file

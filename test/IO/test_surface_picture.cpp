@@ -7,7 +7,6 @@
 
 // Pictures of surfaces in space, read back and looked at.
 
-#define BOOST_TEST_MODULE surface_picture
 #include "support/unit_test.h"
 
 #include "support/volume_checks.h"
@@ -27,6 +26,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_surface_picture)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -324,3 +325,5 @@ BOOST_AUTO_TEST_CASE(without_cairo)
 }
 
 #endif
+
+BOOST_AUTO_TEST_SUITE_END() // test_surface_picture

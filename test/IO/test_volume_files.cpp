@@ -7,7 +7,6 @@
 
 // Files of tetrahedral meshes: exact round trips, what other programs write, and messages for every kind of broken input.
 
-#define BOOST_TEST_MODULE volume_files
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -30,6 +29,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_volume_files)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -1008,3 +1009,5 @@ BOOST_AUTO_TEST_CASE(boundary_of_real_meshes, *boost::unit_test::label("needs_da
     BOOST_TEST((triangles == mesh.triangles));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_volume_files

@@ -8,7 +8,6 @@
 // Accelerations chosen at run time: inexact Newton directions with every preconditioner in the plane and in space, and matrices
 // that are assembled for those accelerations only that multiply by them.
 
-#define BOOST_TEST_MODULE any_acceleration
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -24,6 +23,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_any_acceleration)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -183,3 +184,5 @@ BOOST_AUTO_TEST_CASE(matrices_are_assembled_where_they_are_needed)
   number = matrices(Counted<FFM::Laplacian>(), FFM::Inexact_newton());
   BOOST_TEST(number == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_any_acceleration

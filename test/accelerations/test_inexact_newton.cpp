@@ -8,7 +8,6 @@
 // Conjugate gradients on the current matrix with an old factorization: against the matrix itself, and whole runs against those
 // that factorize in each iteration.
 
-#define BOOST_TEST_MODULE inexact_newton
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -23,6 +22,8 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+
+BOOST_AUTO_TEST_SUITE(test_inexact_newton)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -149,3 +150,5 @@ BOOST_AUTO_TEST_CASE(high_accuracy_with_few_factorizations)
   BOOST_TEST(inexact.characteristic_gradient_norm <= 1e-8);
   BOOST_TEST(inexact.factorizations < newton.factorizations);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_inexact_newton

@@ -7,7 +7,6 @@
 
 // L-BFGS against the dense formula, the secant equation, and what holds on quadratic functions.
 
-#define BOOST_TEST_MODULE lbfgs
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -20,6 +19,8 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_lbfgs)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -140,3 +141,5 @@ BOOST_FIXTURE_TEST_CASE(resets_and_failures, Fixture)
   BOOST_TEST(!lbfgs.direction(
     x, gradient, [](const Eigen::VectorXd&, Eigen::VectorXd&) { return false; }, result));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_lbfgs

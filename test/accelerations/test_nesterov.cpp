@@ -7,7 +7,6 @@
 
 // Nesterov's acceleration: the steps it asks for, and AQP against the Sobolev gradient.
 
-#define BOOST_TEST_MODULE nesterov
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -21,6 +20,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_nesterov)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -124,3 +125,5 @@ BOOST_AUTO_TEST_CASE(eta_of_one_is_no_acceleration)
   BOOST_TEST(std::abs(none.summary.iterations - plain.summary.iterations) <= 1);
   BOOST_TEST((none.x - plain.x).norm() <= 1e-10);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_nesterov

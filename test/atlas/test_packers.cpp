@@ -7,7 +7,6 @@
 
 // Packings whose optima are known, and distances of all others, by segments.
 
-#define BOOST_TEST_MODULE packers
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -21,6 +20,8 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_packers)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -221,3 +222,5 @@ BOOST_AUTO_TEST_CASE(charts_turn_freely)
   BOOST_TEST(scale >= 1.25);
   BOOST_TEST(scale <= std::sqrt(2.));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_packers

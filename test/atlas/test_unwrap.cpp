@@ -7,7 +7,6 @@
 
 // unwrap() and pack_charts().
 
-#define BOOST_TEST_MODULE unwrap
 #include "support/unit_test.h"
 
 #include "atlas/atlas_checks.h"
@@ -36,6 +35,8 @@
 #include <thread>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_unwrap)
 
 using namespace test_support;
 using FFM::Status;
@@ -289,9 +290,72 @@ BOOST_AUTO_TEST_CASE(charts_are_split_for_packing)
   }
 }
 
+// A cube of side 2 whose edges and corners are cut off: six squares, twelve rectangles, eight triangles.
+static Soup chamfered_cube_soup(double chamfer)
+{
+  Soup soup;
+  // On the side of an axis with a sign, with signs along the next two.
+  const auto number = [](int axis, int sign, int next, int last) { return ((axis * 2 + sign) * 2 + next) * 2 + last; };
+  for(int axis = 0; axis < 3; ++axis)
+    for(int signs = 0; signs < 8; ++signs) {
+      std::array<double, 3> p;
+      p[axis] = signs & 4 ? 1 : -1;
+      p[(axis + 1) % 3] = (signs & 2 ? 1 : -1) * (1 - chamfer);
+      p[(axis + 2) % 3] = (signs & 1 ? 1 : -1) * (1 - chamfer);
+      soup.points.emplace_back(p[0], p[1], p[2]);
+    }
+  const auto add = [&soup](std::vector<int> face) {
+    const Mesh::Point &p = soup.points[face[0]], &q = soup.points[face[1]], &r = soup.points[face[2]];
+    if(CGAL::determinant(p - CGAL::ORIGIN, q - CGAL::ORIGIN, r - CGAL::ORIGIN) < 0)
+      std::reverse(face.begin(), face.end());
+    for(std::size_t k = 2; k < face.size(); ++k)
+      soup.triangles.push_back({face[0], face[k - 1], face[k]});
+  };
+  for(int axis = 0; axis < 3; ++axis)
+    for(int i = 0; i < 2; ++i) {
+      add({number(axis, i, 0, 0), number(axis, i, 0, 1), number(axis, i, 1, 1), number(axis, i, 1, 0)});
+      const int next = (axis + 1) % 3;
+      for(int j = 0; j < 2; ++j)
+        add({number(axis, i, j, 0), number(axis, i, j, 1), number(next, j, 1, i), number(next, j, 0, i)});
+    }
+  for(int i = 0; i < 2; ++i)
+    for(int j = 0; j < 2; ++j)
+      for(int k = 0; k < 2; ++k)
+        add({number(0, i, j, k), number(1, j, k, i), number(2, k, i, j)});
+  return soup;
+}
+
+// A ring of `around` squares one way, `across` the other.
+static Soup torus_soup(int around, int across)
+{
+  Soup soup;
+  for(int i = 0; i < around; ++i)
+    for(int j = 0; j < across; ++j) {
+      const double u = 2 * CGAL_PI * i / around, v = 2 * CGAL_PI * j / across, radius = 1 + 0.3 * std::cos(v);
+      soup.points.emplace_back(radius * std::cos(u), radius * std::sin(u), 0.3 * std::sin(v));
+      const int next = (i + 1) % around * across, last = (j + 1) % across;
+      soup.triangles.push_back({i * across + j, next + j, next + last});
+      soup.triangles.push_back({i * across + j, next + last, i * across + last});
+    }
+  return soup;
+}
+
+BOOST_AUTO_TEST_CASE(coarse_meshes_of_round_shapes)
+{
+  // Edges of 30 to 60 degrees lie everywhere; a chart for each strip between them would be exact, and nobody would want it.
+  for(const Soup& soup : {torus_soup(8, 6), torus_soup(16, 12), torus_soup(48, 12)}) {
+    Atlas_surface ring(soup);
+    const FFM::Unwrap_summary summary = ring.unwrap();
+    check_atlas(ring, summary);
+    BOOST_TEST(summary.charts.size() <= 6u);
+    for(const FFM::Chart_summary& chart : summary.charts)
+      BOOST_TEST(chart.energy <= 1.025);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(constructed_parts_unfold)
 {
-  // Boxes of two triangles a side, one of them flat; a drum; a star with a hub, whose caps are flat and not convex.
+  // Boxes of two triangles a side, one of them flat; cubes with chamfers; a drum; a star with a hub, whose caps are flat and not convex.
   Soup cube = block_soup(1, 1, 1), plate = cube;
   for(auto& p : plate.points)
     p = Mesh::Point(3 * p.x(), 2 * p.y(), 0.1 * p.z());
@@ -313,7 +377,7 @@ BOOST_AUTO_TEST_CASE(constructed_parts_unfold)
     }
     return soup;
   };
-  for(const Soup& soup : {cube, plate, prism(48, 1), prism(40, 0.7)}) {
+  for(const Soup& soup : {cube, plate, chamfered_cube_soup(0.1), chamfered_cube_soup(0.5), prism(48, 1), prism(40, 0.7)}) {
     Atlas_surface part(soup);
     const FFM::Unwrap_summary summary = part.unwrap();
     check_atlas(part, summary);
@@ -681,3 +745,5 @@ BOOST_AUTO_TEST_CASE(the_same_with_one_thread_and_written_to_files)
   // As many images as there are corners less those that are glued: V + the seams' doubles.
   BOOST_TEST(textured.texture.size() > textured.points.size());
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_unwrap

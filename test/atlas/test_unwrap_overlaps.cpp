@@ -7,7 +7,6 @@
 
 // What unwrap() does about charts that overlap themselves: surfaces whose maps are known do so in known places.
 
-#define BOOST_TEST_MODULE unwrap_overlaps
 #include "support/unit_test.h"
 
 #include "atlas/atlas_checks.h"
@@ -17,6 +16,8 @@
 #include <cmath>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_unwrap_overlaps)
 
 using namespace test_support;
 using FFM::Status;
@@ -156,3 +157,5 @@ BOOST_AUTO_TEST_CASE(seams_of_one_edge)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_unwrap_overlaps

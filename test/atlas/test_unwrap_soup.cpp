@@ -8,7 +8,6 @@
 // unwrap() of polygon soups: whatever people's files hold. Images are checked as polygons, with exact predicates, without knowledge
 // of the triangles that they consist of.
 
-#define BOOST_TEST_MODULE unwrap_soup
 #include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/unwrap.h>
@@ -31,6 +30,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_unwrap_soup)
 
 namespace {
 
@@ -698,3 +699,5 @@ BOOST_AUTO_TEST_CASE(refused)
   const FFM::Unwrap_summary summary = FFM::unwrap(soup.points, soup.polygons, triples);
   BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::invalid_option));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_unwrap_soup

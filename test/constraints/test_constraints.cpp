@@ -7,7 +7,6 @@
 
 // Fixed vertices, soft positions and terms of users in the plane: what they leave alone, and the optima they lead to.
 
-#define BOOST_TEST_MODULE constraints
 #include "support/unit_test.h"
 
 #include "support/constraint_checks.h"
@@ -17,6 +16,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_constraints)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -153,3 +154,5 @@ BOOST_AUTO_TEST_CASE(terms_after_a_run)
   BOOST_TEST(minimizer.minimize(x).converged());
   BOOST_TEST((x.array() == expected.array()).all());
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_constraints

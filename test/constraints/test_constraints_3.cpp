@@ -7,12 +7,13 @@
 
 // Fixed vertices, soft positions and terms of users in space.
 
-#define BOOST_TEST_MODULE constraints_3
 #include "support/unit_test.h"
 
 #include "support/constraint_checks.h"
 
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_constraints_3)
 
 using namespace test_support;
 
@@ -24,3 +25,5 @@ BOOST_AUTO_TEST_CASE(invalid_constraints)
   check_message<3>({{}, {{3, Eigen::Vector3d(0, 0, std::numeric_limits<double>::infinity()), 1}}},
                    "number 0, of vertex number 3, is not finite");
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_constraints_3

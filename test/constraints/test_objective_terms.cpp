@@ -7,7 +7,6 @@
 
 // Gradient and matrix of the energy and terms beside it, with some vertices fixed, by differences.
 
-#define BOOST_TEST_MODULE objective_terms
 #include "support/unit_test.h"
 
 #include "support/constraint_checks.h"
@@ -18,6 +17,8 @@
 #include <cstdint>
 #include <memory>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_objective_terms)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -76,3 +77,5 @@ void check_derivatives()
 BOOST_AUTO_TEST_CASE(derivatives_2) { check_derivatives<2>(); }
 
 BOOST_AUTO_TEST_CASE(derivatives_3) { check_derivatives<3>(); }
+
+BOOST_AUTO_TEST_SUITE_END() // test_objective_terms

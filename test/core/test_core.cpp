@@ -7,7 +7,6 @@
 
 // The compiled library: the same bits as the headers alone give, for meshes and for arrays.
 
-#define BOOST_TEST_MODULE core
 #include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/Any_map_traits.h>
@@ -22,6 +21,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_core)
 
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
 #error "This test is about the compiled library."
@@ -157,3 +158,5 @@ BOOST_FIXTURE_TEST_CASE(bad_arrays_are_refused, Sheet)
   BOOST_TEST((uv == before));
   BOOST_TEST(corners.empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_core

@@ -190,7 +190,7 @@ struct Count
 };
 
 // A mesh with seams.
-struct Surface
+struct Seamed_surface
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   using Mesh = CGAL::Surface_mesh<Point>;
@@ -201,8 +201,9 @@ struct Surface
   std::vector<Vertex> vertices;
   Mesh::Property_map<Edge, bool> cut;
 
-  explicit Surface(const Soup& soup) : vertices(add_soup(soup, mesh)), cut(mesh.add_property_map<Edge, bool>("e:cut", false).first) {}
-  explicit Surface(const Mesh& other) : mesh(other), cut(mesh.add_property_map<Edge, bool>("e:cut", false).first) {}
+  explicit Seamed_surface(const Soup& soup) : vertices(add_soup(soup, mesh)), cut(mesh.add_property_map<Edge, bool>("e:cut", false).first)
+  {}
+  explicit Seamed_surface(const Mesh& other) : mesh(other), cut(mesh.add_property_map<Edge, bool>("e:cut", false).first) {}
 
   // Cuts the edges for whose end points, in either order, the predicate holds.
   template <typename Predicate>

@@ -7,7 +7,6 @@
 
 // Cuts to disks, counted by other means than those of the package.
 
-#define BOOST_TEST_MODULE cut_to_disk
 #include "support/unit_test.h"
 
 #include "cutting/cut_checks.h"
@@ -33,12 +32,14 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_cut_to_disk)
+
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
-using Mesh = Surface::Mesh;
-using Vertex = Surface::Vertex;
-using Edge = Surface::Edge;
-using Point = Surface::Point;
+using Mesh = Seamed_surface::Mesh;
+using Vertex = Seamed_surface::Vertex;
+using Edge = Seamed_surface::Edge;
+using Point = Seamed_surface::Point;
 using Branches = FFM::Cut_options::Branches;
 
 namespace {
@@ -54,7 +55,8 @@ FFM::Cut_options with(Branches branches)
 }
 
 // Cuts, checks disks and the account, and returns the latter.
-FFM::Cut_summary check_disks(Surface& surface, int components, int borders, int genus, const FFM::Cut_options& options = FFM::Cut_options())
+FFM::Cut_summary check_disks(Seamed_surface& surface, int components, int borders, int genus,
+                             const FFM::Cut_options& options = FFM::Cut_options())
 {
   const FFM::Cut_summary summary = FFM::cut_to_disk(surface.mesh, surface.cut, options);
   BOOST_TEST_CONTEXT(summary.message)
@@ -75,7 +77,7 @@ FFM::Cut_summary check_disks(Surface& surface, int components, int borders, int 
 
 void check_failure(Mesh mesh, FFM::Status status, const FFM::Cut_options& options = FFM::Cut_options())
 {
-  Surface surface(mesh);
+  Seamed_surface surface(mesh);
   const FFM::Cut_summary summary = FFM::cut_to_disk(surface.mesh, surface.cut, options);
   BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(status));
   BOOST_TEST(!summary.message.empty());
@@ -85,7 +87,7 @@ void check_failure(Mesh mesh, FFM::Status status, const FFM::Cut_options& option
 // The graph in which seams are looked for, without those who use it.
 struct Graph
 {
-  Surface surface;
+  Seamed_surface surface;
   std::vector<Edge> edges;
   FFM::internal::Cut_surface flat;
   FFM::internal::Cut_opening opening;
@@ -155,12 +157,12 @@ const auto never = [] { return false; };
 
 BOOST_AUTO_TEST_CASE(the_count_itself)
 {
-  Surface torus(plate_soup(1));
+  Seamed_surface torus(plate_soup(1));
   BOOST_TEST((torus.count().euler.front() == 0 && torus.count().borders.front() == 0));
   BOOST_TEST(!torus.count().is_of_disks());
-  const Count sheet = Surface(sheet_soup(7, 7, {{2, 2}, {4, 4}})).count();
+  const Count sheet = Seamed_surface(sheet_soup(7, 7, {{2, 2}, {4, 4}})).count();
   BOOST_TEST((sheet.euler.front() == -1 && sheet.borders.front() == 3));
-  BOOST_TEST(Surface(sheet_soup(7, 7, {})).count().is_of_disks());
+  BOOST_TEST(Seamed_surface(sheet_soup(7, 7, {})).count().is_of_disks());
 }
 
 BOOST_AUTO_TEST_CASE(closed_surfaces)
@@ -169,7 +171,7 @@ BOOST_AUTO_TEST_CASE(closed_surfaces)
     for(int genus : {0, 1, 2, 5}) {
       BOOST_TEST_CONTEXT("genus " << genus << ", branches " << static_cast<int>(branches))
       {
-        Surface surface(genus == 0 ? block_soup() : plate_soup(genus));
+        Seamed_surface surface(genus == 0 ? block_soup() : plate_soup(genus));
         const FFM::Cut_summary summary = check_disks(surface, 1, 0, genus, with(branches));
         if(branches == Branches::none && genus == 0)
           BOOST_TEST(summary.seam_edges == 2);
@@ -186,10 +188,10 @@ BOOST_AUTO_TEST_CASE(smallest_surfaces)
 {
   Soup tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   for(const Branches branches : {Branches::none, Branches::extremities, Branches::curvature_peaks}) {
-    Surface surface(tetrahedron);
+    Seamed_surface surface(tetrahedron);
     check_disks(surface, 1, 0, 0, with(branches));
   }
-  Surface surface(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  Seamed_surface surface(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   BOOST_TEST(FFM::cut_to_disk(surface.mesh, surface.cut).is_valid());
   BOOST_TEST(surface.seams().empty());
 }
@@ -200,7 +202,7 @@ BOOST_AUTO_TEST_CASE(extremities_are_reached)
   const auto is_solid = [](int x, int y, int z) {
     return (x < 4 && y < 4 && z < 4) || (x >= 4 && y == 1 && z == 1) || (y >= 4 && x == 2 && z == 2);
   };
-  Surface surface(voxel_soup(12, 12, 4, is_solid));
+  Seamed_surface surface(voxel_soup(12, 12, 4, is_solid));
   FFM::Cut_options options;
   const FFM::Cut_summary summary = check_disks(surface, 1, 0, 0, options);
   BOOST_TEST(summary.points >= 2);
@@ -214,7 +216,7 @@ BOOST_AUTO_TEST_CASE(extremities_are_reached)
   BOOST_TEST((ends[0] == 12 && ends[1] == 12));
 
   // The lower the energy that is wanted, the more seams.
-  Surface finer(surface.mesh), coarser(surface.mesh);
+  Seamed_surface finer(surface.mesh), coarser(surface.mesh);
   for(const Edge e : surface.mesh.edges())
     finer.cut[e] = coarser.cut[e] = false;
   options.target_energy = 1.01;
@@ -237,7 +239,7 @@ BOOST_AUTO_TEST_CASE(farthest_points_of_the_paper)
     p = Point(p.x() + 0.1 * std::sin(1. * i), p.y() + 0.1 * std::sin(2. * i), p.z() + 0.1 * std::sin(3. * i));
     corner = Point((std::min)(corner.x(), p.x()), (std::min)(corner.y(), p.y()), (std::min)(corner.z(), p.z()));
   }
-  Surface surface(soup);
+  Seamed_surface surface(soup);
   FFM::Cut_options options = with(Branches::farthest_points);
   options.number_of_points = 7;
   BOOST_TEST(check_disks(surface, 1, 0, 0, options).points == 7);
@@ -261,7 +263,7 @@ BOOST_AUTO_TEST_CASE(farthest_points_of_the_paper)
 BOOST_AUTO_TEST_CASE(holes)
 {
   const Soup soup = sheet_soup(15, 15, {{2, 2}, {12, 2}, {2, 12}, {12, 12}, {7, 7}, {7, 2}});
-  Surface joined(soup), open(soup);
+  Seamed_surface joined(soup), open(soup);
   check_disks(joined, 1, 7, 0);
   FFM::Cut_options options;
   options.join_borders = false;
@@ -272,12 +274,12 @@ BOOST_AUTO_TEST_CASE(holes)
   Soup plate = plate_soup(2);
   plate.triangles.erase(plate.triangles.begin() + 40);
   plate.triangles.erase(plate.triangles.begin());
-  Surface plate_joined(plate);
+  Seamed_surface plate_joined(plate);
   check_disks(plate_joined, 1, 2, 2);
   for(const Branches branches : ALL_BRANCHES) {
     options.branches = branches;
     options.number_of_points = 4;
-    Surface plate_open(plate);
+    Seamed_surface plate_open(plate);
     BOOST_TEST(FFM::cut_to_disk(plate_open.mesh, plate_open.cut, options).is_valid());
     const Count count = plate_open.count();
     BOOST_TEST(count.pieces == 1);
@@ -297,7 +299,7 @@ BOOST_AUTO_TEST_CASE(several_components)
       all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
   for(const Branches branches : ALL_BRANCHES) {
-    Surface surface(all);
+    Seamed_surface surface(all);
     surface.mesh.add_vertex(Point(0, 0, 0)); // isolated
     check_disks(surface, 4, 4, 2, with(branches));
     BOOST_TEST(surface.count().pieces == 4);
@@ -306,7 +308,7 @@ BOOST_AUTO_TEST_CASE(several_components)
     for(int v = first; v < first + 81; ++v)
       BOOST_TEST(surface.seams_at(surface.vertices[v]) == 0);
   }
-  Surface sheet(sheet_soup(8, 8, {}));
+  Seamed_surface sheet(sheet_soup(8, 8, {}));
   FFM::Cut_options options;
   options.cut_disks = true;
   options.target_energy = 1.001;
@@ -316,18 +318,18 @@ BOOST_AUTO_TEST_CASE(several_components)
 BOOST_AUTO_TEST_CASE(seams_of_the_user)
 {
   // The edges around a block at a height; 16 there are.
-  const auto ring = [](Surface& surface, double z) {
+  const auto ring = [](Seamed_surface& surface, double z) {
     surface.mark([z](const Point& p, const Point& q) { return p.z() == z && q.z() == z; });
   };
   for(const Branches branches : ALL_BRANCHES) {
     // One leaves two disks; nothing is to be added.
-    Surface equator(block_soup());
+    Seamed_surface equator(block_soup());
     ring(equator, 4);
     FFM::Cut_summary summary = check_disks(equator, 1, 0, 0, with(branches));
     BOOST_TEST(summary.pieces == 2);
     BOOST_TEST((summary.user_seam_edges == 16 && summary.seam_edges == 16));
     // Two leave an annulus between them, which is opened; all are kept.
-    Surface circles(block_soup());
+    Seamed_surface circles(block_soup());
     ring(circles, 2);
     ring(circles, 6);
     const std::vector<Edge> before = circles.seams();
@@ -337,11 +339,11 @@ BOOST_AUTO_TEST_CASE(seams_of_the_user)
     for(const Edge e : before)
       BOOST_TEST(circles.cut[e]);
     // A single edge would leave a border of two edges.
-    Surface edge(block_soup());
+    Seamed_surface edge(block_soup());
     edge.mark([](const Point& p, const Point& q) { return p == Point(0, 2, 2) && q == Point(0, 2, 3); });
     BOOST_TEST(check_disks(edge, 1, 0, 0, with(branches)).user_seam_edges == 1);
     // A slit inside a sheet is joined to its border.
-    Surface slit(sheet_soup(9, 9, {}));
+    Seamed_surface slit(sheet_soup(9, 9, {}));
     slit.cut[slit.edge_between(44, 45)] = slit.cut[slit.edge_between(45, 46)] = true;
     summary = check_disks(slit, 1, 1, 0, with(branches));
     BOOST_TEST(summary.seam_edges > 2);
@@ -350,7 +352,7 @@ BOOST_AUTO_TEST_CASE(seams_of_the_user)
   // Without joined borders a slit is a hole, but no hole has two edges only.
   FFM::Cut_options options;
   options.join_borders = false;
-  Surface sheet(sheet_soup(9, 9, {}));
+  Seamed_surface sheet(sheet_soup(9, 9, {}));
   sheet.cut[sheet.edge_between(44, 45)] = true;
   BOOST_TEST(FFM::cut_to_disk(sheet.mesh, sheet.cut, options).is_valid());
   BOOST_TEST(sheet.seams().size() == 2);
@@ -368,7 +370,7 @@ BOOST_AUTO_TEST_CASE(features_are_preferred)
                                       }),
                        tube.triangles.end());
   for(int column : {1, 2, 3}) {
-    Surface surface(tube);
+    Seamed_surface surface(tube);
     auto feature = surface.mesh.add_property_map<Edge, bool>("e:feature", false).first;
     for(const Edge e : surface.mesh.edges()) {
       const auto &p = surface.mesh.point(surface.mesh.vertex(e, 0)), &q = surface.mesh.point(surface.mesh.vertex(e, 1));
@@ -389,7 +391,7 @@ BOOST_AUTO_TEST_CASE(the_same_again)
   const Soup soup = plate_soup(3);
   std::vector<Edge> first;
   for(int run = 0; run < 2; ++run) {
-    Surface surface(soup);
+    Seamed_surface surface(soup);
     check_disks(surface, 1, 0, 3);
     if(run == 0)
       first = surface.seams();
@@ -399,7 +401,7 @@ BOOST_AUTO_TEST_CASE(the_same_again)
   Soup moved = soup;
   for(auto& p : moved.points)
     p = Point(1024 * p.x() + 4096, 1024 * p.y() + 4096, 1024 * p.z() + 4096);
-  Surface surface(moved);
+  Seamed_surface surface(moved);
   check_disks(surface, 1, 0, 3);
   BOOST_TEST((surface.seams() == first));
 }
@@ -419,7 +421,7 @@ BOOST_AUTO_TEST_CASE(other_mesh_types_and_maps)
 
 BOOST_AUTO_TEST_CASE(bad_input)
 {
-  const auto mesh_of = [](const Soup& soup) { return Surface(soup).mesh; };
+  const auto mesh_of = [](const Soup& soup) { return Seamed_surface(soup).mesh; };
   check_failure(Mesh(), FFM::Status::empty_mesh);
   Mesh quad;
   CGAL::make_quad(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), quad);
@@ -540,7 +542,7 @@ BOOST_AUTO_TEST_CASE(uneven_surfaces)
       p = Point(p.x() + 0.3 * std::sin(phase), 1.5 * p.y() + 0.3 * std::cos(1.7 * phase),
                 p.z() * (1 + 0.1 * p.x()) + 0.3 * std::sin(2.9 * phase));
     }
-    Surface surface(soup);
+    Seamed_surface surface(soup);
     const Count before = surface.count();
     const int genus = (2 - before.euler.front() - before.borders.front()) / 2;
     check_disks(surface, 1, before.borders.front(), genus);
@@ -567,9 +569,11 @@ BOOST_AUTO_TEST_CASE(scanned_and_modelled_surfaces, *boost::unit_test::label("ne
     {
       Mesh mesh;
       BOOST_TEST_REQUIRE(CGAL::IO::read_OFF(file.string(), mesh));
-      Surface surface(mesh);
+      Seamed_surface surface(mesh);
       const Count before = surface.count();
       const int genus = (2 - before.euler.front() - before.borders.front()) / 2;
       check_disks(surface, 1, before.borders.front(), genus);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_cut_to_disk

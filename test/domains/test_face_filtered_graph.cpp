@@ -7,7 +7,6 @@
 
 // CGAL::Face_filtered_graph: a part of a larger surface.
 
-#define BOOST_TEST_MODULE face_filtered_graph
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -15,6 +14,8 @@
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_face_filtered_graph)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -128,3 +129,5 @@ BOOST_AUTO_TEST_CASE(belt_of_a_sphere)
   BOOST_TEST(summary.elements == static_cast<std::int64_t>(chosen.size()));
   BOOST_TEST(FFM::number_of_flipped_elements(part, uv) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_face_filtered_graph

@@ -7,7 +7,6 @@
 
 // Cells of a mesh complex of an implicit domain with two parts.
 
-#define BOOST_TEST_MODULE mesh_complex_3_domain
 #include "support/unit_test.h"
 
 #include "support/volume_checks.h"
@@ -40,6 +39,8 @@
 #include <unordered_map>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_mesh_complex_3_domain)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -208,3 +209,5 @@ BOOST_AUTO_TEST_CASE(mesh_complex)
   for(const auto& entry : result)
     BOOST_TEST(CGAL::squared_distance(entry.second, entry.first->point().point()) < 1e-28);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_mesh_complex_3_domain

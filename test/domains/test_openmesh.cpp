@@ -7,7 +7,6 @@
 
 // OpenMesh, when it is there.
 
-#define BOOST_TEST_MODULE openmesh
 #include "support/unit_test.h"
 
 #ifdef CGAL_USE_OPENMESH
@@ -22,6 +21,12 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <unordered_map>
+
+#endif
+
+BOOST_AUTO_TEST_SUITE(test_openmesh)
+
+#ifdef CGAL_USE_OPENMESH
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -80,3 +85,5 @@ BOOST_AUTO_TEST_CASE(property_of_the_mesh)
 BOOST_AUTO_TEST_CASE(needs_openmesh) { test_support::skip_case("built without OpenMesh"); }
 
 #endif
+
+BOOST_AUTO_TEST_SUITE_END() // test_openmesh

@@ -7,7 +7,6 @@
 
 // A user's own mesh class.
 
-#define BOOST_TEST_MODULE own_mesh
 #include "support/unit_test.h"
 
 #include "support/Own_mesh.h"
@@ -18,6 +17,8 @@
 #include <array>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_own_mesh)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -91,3 +92,5 @@ BOOST_AUTO_TEST_CASE(failures_leave_the_map_untouched)
   BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(FFM::Status::non_finite_input));
   BOOST_TEST((points == before));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_own_mesh

@@ -7,7 +7,6 @@
 
 // CGAL::Polyhedron_3 without ids, and a seam through one.
 
-#define BOOST_TEST_MODULE polyhedron
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -20,6 +19,8 @@
 
 #include <map>
 #include <unordered_map>
+
+BOOST_AUTO_TEST_SUITE(test_polyhedron)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -98,3 +99,5 @@ BOOST_AUTO_TEST_CASE(seam_through_a_polyhedron)
   BOOST_TEST(summary.vertices == static_cast<std::int64_t>(cut.points.size()));
   BOOST_TEST(uv_points.size() == cut.points.size());
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_polyhedron

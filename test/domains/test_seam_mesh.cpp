@@ -7,7 +7,6 @@
 
 // CGAL::Seam_mesh: closed surfaces that are cut along seams. The map is keyed by halfedges of the uncut mesh.
 
-#define BOOST_TEST_MODULE seam_mesh
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -19,6 +18,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_seam_mesh)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -150,3 +151,5 @@ BOOST_FIXTURE_TEST_CASE(seam_of_two_edges, Cut_sphere)
   const FFM::Summary summary = FFM::parameterize(seam, border(seam), uv, tight_traits());
   check_map(seam, uv, summary, summary.energy);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_seam_mesh

@@ -7,7 +7,6 @@
 
 // CGAL::Surface_mesh: with gaps in its indices, other components beside, isolated vertices, and named parameters.
 
-#define BOOST_TEST_MODULE surface_mesh
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -16,6 +15,8 @@
 
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_surface_mesh)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -182,3 +183,5 @@ BOOST_FIXTURE_TEST_CASE(default_method_converges, Fixture)
   BOOST_TEST(FFM::number_of_flipped_elements(mesh, uv) == 0);
   BOOST_TEST(std::abs(summary.energy - plain.summary.energy) <= 1e-6);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_surface_mesh

@@ -7,13 +7,14 @@
 
 // Number types of the mesh' points and of the map: float, and exact numbers.
 
-#define BOOST_TEST_MODULE surface_mesh_kernels
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+BOOST_AUTO_TEST_SUITE(test_surface_mesh_kernels)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -50,3 +51,5 @@ BOOST_AUTO_TEST_CASE(float_coordinates) { check_kernel<CGAL::Simple_cartesian<fl
 BOOST_AUTO_TEST_CASE(inexact_constructions) { check_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(1e-9); }
 
 BOOST_AUTO_TEST_CASE(exact_constructions) { check_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(1e-9); }
+
+BOOST_AUTO_TEST_SUITE_END() // test_surface_mesh_kernels

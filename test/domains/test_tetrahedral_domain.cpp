@@ -7,7 +7,6 @@
 
 // Arrays of points and tetrahedra: the same shape whatever the convention, faulty arrays, and the way back.
 
-#define BOOST_TEST_MODULE tetrahedral_domain
 #include "support/unit_test.h"
 
 #include "support/volume_checks.h"
@@ -23,6 +22,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_tetrahedral_domain)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -239,3 +240,5 @@ BOOST_AUTO_TEST_CASE(nothing_is_written_when_elements_flip)
   std::map<std::size_t, std::array<double, 3>> double_result;
   BOOST_TEST((domain.write_back(x, boost::make_assoc_property_map(double_result), message) == Status::success));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_tetrahedral_domain

@@ -7,7 +7,6 @@
 
 // Cells of CGAL's triangulations give the same domain as the arrays that they were made from.
 
-#define BOOST_TEST_MODULE triangulation_3_domain
 #include "support/unit_test.h"
 
 #include "support/volume_checks.h"
@@ -27,6 +26,8 @@
 #include <string>
 #include <unordered_map>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_triangulation_3_domain)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -143,3 +144,5 @@ BOOST_AUTO_TEST_CASE(triangulation_without_the_delaunay_property)
   BOOST_TEST(domain.domain().number_of_elements() == 4);
   BOOST_TEST(std::abs(domain.domain().scale - std::cbrt(8. / 6)) < 1e-14);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_triangulation_3_domain

@@ -8,7 +8,6 @@
 // The doors for plain arrays give what those for meshes give, bit for bit, and refuse what is no surface; options and methods may be
 // named parameters.
 
-#define BOOST_TEST_MODULE arrays
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -28,6 +27,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_arrays)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -378,3 +379,5 @@ BOOST_AUTO_TEST_CASE(seams)
     return status;
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_arrays

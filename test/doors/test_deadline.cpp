@@ -7,7 +7,6 @@
 
 // A deadline reaches all phases of all doors: whenever a run is cancelled it ends at once, with a valid map or with none.
 
-#define BOOST_TEST_MODULE deadline
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -30,6 +29,8 @@
 #include <limits>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_deadline)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -346,3 +347,5 @@ BOOST_AUTO_TEST_CASE(conjugate_gradients)
     infinity, [] { return true; }, 0);
   BOOST_CHECK_THROW(solver.solve(b, x), FFM::Interruption);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_deadline

@@ -7,7 +7,6 @@
 
 // Planar deformations: handles arrive exactly and nothing flips, or it is said why not; and sessions of many moves.
 
-#define BOOST_TEST_MODULE deform
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -25,6 +24,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_deform)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -312,3 +313,5 @@ BOOST_FIXTURE_TEST_CASE(sessions, Fixture)
   BOOST_TEST(back.converged());
   BOOST_TEST(std::abs(back.energy - 1) <= 1e-8);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_deform

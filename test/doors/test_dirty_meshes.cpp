@@ -8,7 +8,6 @@
 // Patches as people have them, of polygons, with faces without area, in pieces: what a flat sheet is mapped to is known, and faces
 // without area change nothing for the others.
 
-#define BOOST_TEST_MODULE dirty_meshes
 #include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/deform.h>
@@ -28,6 +27,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_dirty_meshes)
 
 namespace FFM = CGAL::Flip_free_maps;
 namespace parameters = CGAL::Flip_free_maps::parameters;
@@ -384,3 +385,5 @@ BOOST_AUTO_TEST_CASE(shapes_are_deformed)
                         parameters::strict(true));
   BOOST_TEST(FFM::status_name(summary.status) == FFM::status_name(Status::not_triangular));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_dirty_meshes

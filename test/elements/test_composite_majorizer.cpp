@@ -7,7 +7,6 @@
 
 // Majorizers of composite energies against majorizers that are written down as functions of the Jacobian, by differences.
 
-#define BOOST_TEST_MODULE composite_majorizer
 #include "support/unit_test.h"
 
 #include "support/full_matrix.h"
@@ -22,6 +21,8 @@
 #include <array>
 #include <cmath>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_composite_majorizer)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -194,3 +195,5 @@ BOOST_AUTO_TEST_CASE(one_inner_function)
                  -1e-6 * majorizer.norm());
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_composite_majorizer

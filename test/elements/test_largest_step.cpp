@@ -7,7 +7,6 @@
 
 // The largest step against exact rational arithmetic, and the line search's promises.
 
-#define BOOST_TEST_MODULE line_search
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -22,6 +21,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_largest_step)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -459,3 +460,5 @@ BOOST_AUTO_TEST_CASE(full_step_first)
     BOOST_TEST(calls == 1);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_largest_step

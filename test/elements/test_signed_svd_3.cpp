@@ -7,7 +7,6 @@
 
 // The signed singular value decomposition in space against Eigen's, and against matrices whose singular values are known.
 
-#define BOOST_TEST_MODULE signed_svd_3
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -26,6 +25,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_signed_svd_3)
 
 namespace {
 
@@ -174,3 +175,5 @@ BOOST_AUTO_TEST_CASE(sign_and_size_near_collapse)
           BOOST_TEST_REQUIRE(std::abs(s - sign * small) < 4e-15);
       }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_signed_svd_3

@@ -7,7 +7,6 @@
 
 // Energies without a barrier may be minimised from starts with flips; those with one never are.
 
-#define BOOST_TEST_MODULE arap_with_flips
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -22,6 +21,8 @@
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_arap_with_flips)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -170,3 +171,5 @@ BOOST_FIXTURE_TEST_CASE(barriers_ignore_the_option, Fixture)
   BOOST_TEST(with.flips == 0);
   BOOST_TEST((x.array() == expected.array()).all());
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_arap_with_flips

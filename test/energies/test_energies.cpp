@@ -8,7 +8,6 @@
 // Every energy in the plane and in space: its derivatives against finite differences, and the properties that its
 // documentation promises.
 
-#define BOOST_TEST_MODULE energies
 #include "support/unit_test.h"
 
 #include "support/all_energies.h"
@@ -24,6 +23,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_energies)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -327,3 +328,5 @@ BOOST_AUTO_TEST_CASE(convex_part)
   BOOST_TEST(!(FFM::internal::Has_convex_hessian<FFM::Neo_hookean, 2>::value));
   BOOST_TEST(!(FFM::internal::Has_convex_hessian<Conformal_with_size, 2>::value));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_energies

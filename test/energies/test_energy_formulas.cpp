@@ -7,7 +7,6 @@
 
 // The formulas of the energies, written in matrices, and the tools around energies.
 
-#define BOOST_TEST_MODULE energy_formulas
 #include "support/unit_test.h"
 
 #include "support/all_energies.h"
@@ -17,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(test_energy_formulas)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -140,3 +141,5 @@ BOOST_AUTO_TEST_CASE(any_energy_is_the_energy_it_holds)
   BOOST_TEST((gradient == expected_gradient));
   BOOST_TEST((hessian == expected_hessian));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_energy_formulas

@@ -7,7 +7,6 @@
 
 // Energies and gradients of several triangles at once against those of one at a time.
 
-#define BOOST_TEST_MODULE energy_lanes
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -19,6 +18,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_energy_lanes)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -168,3 +169,5 @@ BOOST_AUTO_TEST_CASE(one_flipped_triangle_makes_the_energy_infinite)
     BOOST_TEST(several.value(x) == std::numeric_limits<double>::infinity());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_energy_lanes

@@ -7,7 +7,6 @@
 
 // Every energy with a barrier, minimised by different methods, ends at the same energy without flips.
 
-#define BOOST_TEST_MODULE minimize_energies
 #include "support/unit_test.h"
 
 #include "support/all_energies.h"
@@ -19,6 +18,8 @@
 
 #include <cmath>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_minimize_energies)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -92,3 +93,5 @@ BOOST_AUTO_TEST_CASE(methods_end_at_the_same_energy)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_minimize_energies

@@ -7,7 +7,6 @@
 
 // Surfaces that can be flattened without distortion: how they are told from others, and what the default method makes of them.
 
-#define BOOST_TEST_MODULE developable
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -25,6 +24,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_developable)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -244,3 +245,5 @@ BOOST_AUTO_TEST_CASE(developable_surfaces_are_unrolled_at_once)
       BOOST_TEST(!traits.preconditioner.uses_killing);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_developable

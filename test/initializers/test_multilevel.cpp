@@ -7,7 +7,6 @@
 
 // Starts from coarse to fine: simplification that is undone exactly, valid starts near the optimum, tubes on which Tutte fails.
 
-#define BOOST_TEST_MODULE multilevel
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -28,6 +27,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_multilevel)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -207,3 +208,5 @@ BOOST_AUTO_TEST_CASE(invalid_polygon_is_an_invalid_option)
   traits.start.border = FFM::Border_shape::polygon;
   BOOST_CHECK(multilevel_start(make_domain(bumpy_patch(12, 9)), traits).status == FFM::Status::invalid_option);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_multilevel

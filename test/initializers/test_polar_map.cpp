@@ -10,7 +10,6 @@
 // equation is k^2 r^2 + 3 / r'^2 = k^2 r(l)^2, whence r(l)^2 = 4 sqrt(3) l / (pi k), and the mean energy is sqrt(3) l / c.
 // The other terms are positive.
 
-#define BOOST_TEST_MODULE polar_map
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -22,6 +21,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_polar_map)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -161,3 +162,5 @@ BOOST_AUTO_TEST_CASE(long_tubes_begin_as_circles_and_others_do_not)
   BOOST_REQUIRE(FFM::Multilevel_initializer<Traits>(traits)(make_domain(bumpy_patch(40, 30)), x, name, message) == FFM::Status::success);
   BOOST_TEST(name.find("multilevel") == 0u);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_polar_map

@@ -7,7 +7,6 @@
 
 // Starts: flip-free for all borders and weights, exact where the answer is known, and honest when they fail.
 
-#define BOOST_TEST_MODULE tutte
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -19,6 +18,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_tutte)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -379,3 +380,5 @@ BOOST_AUTO_TEST_CASE(smallest_meshes)
         BOOST_TEST(number_of_flips(domain, result.x) == 0);
       }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_tutte

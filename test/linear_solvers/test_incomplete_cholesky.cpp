@@ -7,7 +7,6 @@
 
 // The factorization without fill against what defines it: exact where there is no fill, equal to the matrix on its pattern elsewhere.
 
-#define BOOST_TEST_MODULE incomplete_cholesky
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -28,6 +27,8 @@
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_incomplete_cholesky)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -303,3 +304,5 @@ BOOST_AUTO_TEST_CASE(products)
     BOOST_TEST(!product.copy(make_matrix(60, b, path(60))));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_incomplete_cholesky

@@ -7,7 +7,6 @@
 
 // Conjugate gradients against a dense factorization, their inexact solves, and the choice between them and a direct solver.
 
-#define BOOST_TEST_MODULE iterative_solvers
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -26,6 +25,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_iterative_solvers)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -212,3 +213,5 @@ BOOST_AUTO_TEST_CASE(maps_without_memory_for_a_factor, *boost::unit_test::label(
 #else
 BOOST_AUTO_TEST_CASE(budgets, *boost::unit_test::label("needs_cholmod")) { skip_case("built without CHOLMOD"); }
 #endif
+
+BOOST_AUTO_TEST_SUITE_END() // test_iterative_solvers

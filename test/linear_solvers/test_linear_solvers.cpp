@@ -7,7 +7,6 @@
 
 // The block matrix against a dense one, and every linear solver against Eigen's dense LDL^T.
 
-#define BOOST_TEST_MODULE linear_solvers
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -35,6 +34,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_linear_solvers)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -480,3 +481,5 @@ BOOST_AUTO_TEST_CASE(pairs_outside_the_pattern_have_no_slot)
     BOOST_TEST(matrix.slot(0, v) == -1);
   BOOST_TEST(matrix.slot(4, 3) == -1);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_linear_solvers

@@ -7,7 +7,6 @@
 
 // A factorization whose most deformed elements are renewed, against the matrix of the map as it is now.
 
-#define BOOST_TEST_MODULE renewed_factorization
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -23,6 +22,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_renewed_factorization)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -207,3 +208,5 @@ BOOST_AUTO_TEST_CASE(a_renewal_replaces_the_one_before)
   BOOST_REQUIRE(twice.solver.solve(b, old));
   BOOST_TEST((twice.solve(b) - old).norm() == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_renewed_factorization

@@ -7,7 +7,6 @@
 
 // Factorization in two parts: the split of the elimination tree against its definition, solutions against the matrix, threads.
 
-#define BOOST_TEST_MODULE split_cholesky
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -29,6 +28,12 @@
 #include <cstdint>
 #include <numeric>
 #include <vector>
+
+#endif
+
+BOOST_AUTO_TEST_SUITE(test_split_cholesky)
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -244,3 +249,5 @@ BOOST_AUTO_TEST_CASE(needs_cholmod) { test_support::skip_case("built without CHO
 
 BOOST_AUTO_TEST_CASE(solutions_and_threads, *boost::unit_test::label("needs_tbb")) { test_support::skip_case("built without CHOLMOD"); }
 #endif
+
+BOOST_AUTO_TEST_SUITE_END() // test_split_cholesky

@@ -7,7 +7,6 @@
 
 // is_bijective() on cases made by hand, and against the intersections of all pairs of triangles.
 
-#define BOOST_TEST_MODULE is_bijective
 #include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/is_bijective.h>
@@ -24,6 +23,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_is_bijective)
 
 namespace FFM = CGAL::Flip_free_maps;
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -351,3 +352,5 @@ BOOST_AUTO_TEST_CASE(maps_of_meshes_and_files)
   textured.texture[0][0] = 1.5;
   BOOST_TEST(!FFM::is_bijective(textured, &message));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_is_bijective

@@ -7,7 +7,6 @@
 
 // Distortion measures against closed forms on maps that are known, and the way through a file and back.
 
-#define BOOST_TEST_MODULE measure
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -23,6 +22,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_measure)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -307,3 +308,5 @@ BOOST_AUTO_TEST_CASE(through_a_file_and_back)
   BOOST_TEST(report.min_singular_value == direct.min_singular_value);
   BOOST_TEST(report.max_singular_value == direct.max_singular_value);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_measure

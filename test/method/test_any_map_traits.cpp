@@ -7,7 +7,6 @@
 
 // Methods chosen at run time are the compiled ones, and all their names work.
 
-#define BOOST_TEST_MODULE any_map_traits
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -29,6 +28,8 @@
 #include <string>
 #include <typeinfo>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_any_map_traits)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -350,3 +351,5 @@ BOOST_AUTO_TEST_CASE(default_solver_is_part_of_the_name)
   BOOST_TEST((std::string(typeid(FFM::Flip_free_map_traits<>).name()).find("with_cholmod") != std::string::npos) == expected);
   BOOST_TEST((std::string(typeid(FFM::Any_map_traits).name()).find("with_cholmod") != std::string::npos) == expected);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_any_map_traits

@@ -8,7 +8,6 @@
 // The concepts: archetypes that offer nothing but what the concept pages ask for are enough to run the algorithms and are given
 // what the pages promise, and all models of the package pass the check classes.
 
-#define BOOST_TEST_MODULE concepts
 #include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
@@ -43,6 +42,8 @@
 
 #include <cmath>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_concepts)
 
 namespace FFM = CGAL::Flip_free_maps;
 
@@ -416,3 +417,5 @@ BOOST_AUTO_TEST_CASE(models)
   BOOST_TEST(std::string(Energy::name()) == "symmetric_dirichlet");
   BOOST_TEST(std::string(FFM::Composite_majorization<true>::name()) != FFM::Composite_majorization<false>::name());
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_concepts

@@ -7,7 +7,6 @@
 
 // What a step must pass before a map is accepted: exact predicates, which refuse here what energies allow, and a sufficient decrease.
 
-#define BOOST_TEST_MODULE accepted_steps
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -27,6 +26,8 @@
 #include <cstdint>
 #include <functional>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_accepted_steps)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -348,3 +349,5 @@ BOOST_FIXTURE_TEST_CASE(each_step_decreases_the_energy_sufficiently, Fixture)
   }
   BOOST_TEST(violations == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_accepted_steps

@@ -7,7 +7,6 @@
 
 // Minima that are known, reached with the Killing operator and with SLIM.
 
-#define BOOST_TEST_MODULE first_order_methods
 #include "support/unit_test.h"
 
 #include "support/minimizer_checks.h"
@@ -16,6 +15,8 @@
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 
 #include <tuple>
+
+BOOST_AUTO_TEST_SUITE(test_first_order_methods)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -29,3 +30,5 @@ typedef std::tuple<Method_traits<FFM::Killing>, Method_traits<FFM::Slim>> Method
 BOOST_AUTO_TEST_CASE_TEMPLATE(developable_surfaces_become_isometric, Method, Methods) { check_developable_surfaces<Method>(); }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_methods_end_at_the_same_energy, Method, Methods) { check_bumpy_patch<Method>(); }
+
+BOOST_AUTO_TEST_SUITE_END() // test_first_order_methods

@@ -7,7 +7,6 @@
 
 // The ways of handles to their targets against rigid motions that are known.
 
-#define BOOST_TEST_MODULE handle_groups
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -19,6 +18,8 @@
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_handle_groups)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -190,3 +191,5 @@ BOOST_AUTO_TEST_CASE(a_line_in_space_turns_round)
     BOOST_TEST(std::abs(turned - (std::min)(angle, 0.5)) <= 1e-7);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_handle_groups

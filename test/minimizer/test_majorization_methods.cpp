@@ -7,7 +7,6 @@
 
 // Minima that are known, reached with composite majorization.
 
-#define BOOST_TEST_MODULE majorization_methods
 #include "support/unit_test.h"
 
 #include "support/minimizer_checks.h"
@@ -15,6 +14,8 @@
 #include <CGAL/Flip_free_maps/preconditioners/Composite_majorization.h>
 
 #include <tuple>
+
+BOOST_AUTO_TEST_SUITE(test_majorization_methods)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -28,3 +29,5 @@ typedef std::tuple<Method_traits<FFM::Composite_majorization<true>>, Method_trai
 BOOST_AUTO_TEST_CASE_TEMPLATE(developable_surfaces_become_isometric, Method, Methods) { check_developable_surfaces<Method>(); }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_methods_end_at_the_same_energy, Method, Methods) { check_bumpy_patch<Method>(); }
+
+BOOST_AUTO_TEST_SUITE_END() // test_majorization_methods

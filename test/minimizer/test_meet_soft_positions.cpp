@@ -7,7 +7,6 @@
 
 // Weights are raised until soft positions are met: the result is the map with the same vertices fixed there.
 
-#define BOOST_TEST_MODULE meet_soft_positions
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -16,6 +15,8 @@
 #include <CGAL/Flip_free_maps/minimizer/meet_soft_positions.h>
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(test_meet_soft_positions)
 
 using namespace test_support;
 
@@ -90,3 +91,5 @@ BOOST_AUTO_TEST_CASE(bad_schedule_and_constraints_are_refused)
   pulled.constraints.soft_positions[0].weight = -1;
   BOOST_TEST((FFM::meet_soft_positions<2>(pulled.domain, x, pulled.constraints, residual).status == FFM::Status::invalid_option));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_meet_soft_positions

@@ -7,7 +7,6 @@
 
 // Minima that are known, and what factorizations cost.
 
-#define BOOST_TEST_MODULE minimizer
 #include "support/unit_test.h"
 
 #include "support/minimizer_checks.h"
@@ -20,6 +19,8 @@
 
 #include <cmath>
 #include <tuple>
+
+BOOST_AUTO_TEST_SUITE(test_minimizer)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -118,3 +119,5 @@ BOOST_AUTO_TEST_CASE(repeated_and_continued)
   BOOST_TEST(again.iterations == 0);
   BOOST_TEST((first == second));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_minimizer

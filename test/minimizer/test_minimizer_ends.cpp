@@ -7,7 +7,6 @@
 
 // How a run ends: every stopping rule, bad options, bad starts, and what the caller's positions hold afterwards.
 
-#define BOOST_TEST_MODULE minimizer_ends
 #include "support/unit_test.h"
 
 #include "support/minimizer_fixture.h"
@@ -22,6 +21,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_minimizer_ends)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -264,3 +265,5 @@ BOOST_FIXTURE_TEST_CASE(extreme_but_valid_starts, Fixture)
   check_valid(sheared, FFM::Status::success);
   BOOST_TEST(sheared.energy < 0.01 * sheared.energy_initial);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_minimizer_ends

@@ -7,7 +7,6 @@
 
 // Energies, preconditioners and linear solvers that misbehave.
 
-#define BOOST_TEST_MODULE minimizer_failures
 #include "support/unit_test.h"
 
 #include "support/minimizer_fixture.h"
@@ -19,6 +18,8 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_minimizer_failures)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -136,3 +137,5 @@ BOOST_FIXTURE_TEST_CASE(failing_linear_solvers, Fixture)
   BOOST_TEST(!unsolved.is_valid());
   BOOST_TEST((x == start));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_minimizer_failures

@@ -7,7 +7,6 @@
 
 // The map does not depend on the number of threads, not by one bit.
 
-#define BOOST_TEST_MODULE minimizer_threads
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -26,6 +25,8 @@
 
 #include <algorithm>
 #include <cstring>
+
+BOOST_AUTO_TEST_SUITE(test_minimizer_threads)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -106,3 +107,5 @@ BOOST_AUTO_TEST_CASE(bar_returns_to_its_rest_shape)
   BOOST_TEST(summary.energy - 1 <= 1e-10);
   BOOST_TEST(symmetric_dirichlet<3>(example.domain, x) - 1 <= 1e-10);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_minimizer_threads

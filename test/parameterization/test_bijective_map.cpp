@@ -8,7 +8,6 @@
 // Maps that must not overlap themselves: a surface whose free map does, judged by all pairs of triangles; surfaces whose free map
 // does not; starts and statuses.
 
-#define BOOST_TEST_MODULE bijective_map
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -28,6 +27,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_bijective_map)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -259,3 +260,5 @@ BOOST_AUTO_TEST_CASE(scaffold_tiles_a_box)
   std::swap(x(1, domain.border[0]), x(1, domain.border[domain.border.size() / 2]));
   BOOST_TEST(!scaffold.build(domain, x));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_bijective_map

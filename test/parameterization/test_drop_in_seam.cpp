@@ -7,7 +7,6 @@
 
 // CGAL's package Surface_mesh_parameterization on a surface that is cut along seams, with its parameterizer exchanged.
 
-#define BOOST_TEST_MODULE drop_in_seam
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -20,6 +19,8 @@
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+BOOST_AUTO_TEST_SUITE(test_drop_in_seam)
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_2 Point_2;
@@ -91,3 +92,5 @@ BOOST_AUTO_TEST_CASE(closed_surface_with_a_seam)
   BOOST_TEST(plain.converged());
   BOOST_TEST(std::abs(plain.energy - summary.energy) <= 1e-6);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_drop_in_seam

@@ -7,7 +7,6 @@
 
 // The plainest use of CGAL's package Surface_mesh_parameterization, with its parameterizer exchanged.
 
-#define BOOST_TEST_MODULE drop_in_simple
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -24,6 +23,8 @@
 #include <map>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_drop_in_simple)
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_2 Point_2;
@@ -239,3 +240,5 @@ BOOST_AUTO_TEST_CASE(failures)
     BOOST_TEST(fixture.is_untouched());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_drop_in_simple

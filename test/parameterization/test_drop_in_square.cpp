@@ -7,7 +7,6 @@
 
 // CGAL's package Surface_mesh_parameterization with square borders, with its parameterizer exchanged: the border makes the start.
 
-#define BOOST_TEST_MODULE drop_in_square
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -23,6 +22,8 @@
 
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_drop_in_square)
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_2 Point_2;
@@ -173,3 +174,5 @@ BOOST_FIXTURE_TEST_CASE(border_parameterizer_that_fails, Fixture)
     BOOST_TEST(start_has("failed"));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_drop_in_square

@@ -8,7 +8,6 @@
 // Everything that can be wrong with a mesh, an option or the machine: each has its status and a message, and leaves the map
 // alone. And inputs that look wrong but are not.
 
-#define BOOST_TEST_MODULE failures
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -23,6 +22,8 @@
 #include <new>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_failures)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -558,3 +559,5 @@ BOOST_AUTO_TEST_CASE(files_of_faulty_meshes, *boost::unit_test::label("needs_dat
         BOOST_TEST(FFM::number_of_flipped_elements(fixture.mesh, uv) == 0);
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_failures

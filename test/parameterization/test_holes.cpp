@@ -8,7 +8,6 @@
 // Surfaces with holes: flat ones keep all distances, tubes become the rings that a computation with one unknown per circle finds,
 // and the start does not matter.
 
-#define BOOST_TEST_MODULE holes
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -26,6 +25,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_holes)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -392,3 +393,5 @@ BOOST_AUTO_TEST_CASE(files, *boost::unit_test::label("needs_data"))
     BOOST_TEST(FFM::number_of_flipped_elements(example.mesh, example.uv) == 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_holes

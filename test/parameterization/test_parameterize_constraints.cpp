@@ -7,7 +7,6 @@
 
 // Named parameters of parameterizations: starts, fixed vertices and borders, weights of faces, soft positions.
 
-#define BOOST_TEST_MODULE parameterize_constraints
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -28,6 +27,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_parameterize_constraints)
 
 namespace FFM = CGAL::Flip_free_maps;
 namespace FFP = CGAL::Flip_free_maps::parameters;
@@ -262,3 +263,5 @@ BOOST_FIXTURE_TEST_CASE(errors, Fixture)
     start[v] = Point_2(-start[v].x(), start[v].y());
   check_refused(FFP::start_map(start), FFM::Status::start_not_flip_free, "flipped");
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_parameterize_constraints

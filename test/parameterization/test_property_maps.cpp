@@ -7,7 +7,6 @@
 
 // Property maps of other kinds than the mesh' own, for the points and for the map.
 
-#define BOOST_TEST_MODULE property_maps
 #include "support/unit_test.h"
 
 #include "support/mesh_checks.h"
@@ -26,6 +25,8 @@
 #include <map>
 #include <unordered_map>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_property_maps)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -151,3 +152,5 @@ BOOST_FIXTURE_TEST_CASE(points_computed_when_read, Fixture)
   for(std::size_t i = 0; i < uv_points.size(); ++i)
     BOOST_TEST((uv_points[i] == Plain_point_2(2 * plain.uv[i].x(), 2 * plain.uv[i].y())));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_property_maps

@@ -7,7 +7,6 @@
 
 // The assembled gradient and matrices against dense brute force, and the Killing operator against the closed forms of the paper.
 
-#define BOOST_TEST_MODULE assembly
 #include "support/unit_test.h"
 
 #include "support/full_matrix.h"
@@ -29,6 +28,8 @@
 #include <cstring>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_assembly)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -364,3 +365,5 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_concurrency, *boost::unit_test::la
   check_concurrency<2>(Distorted_example<2>(70, 50));
   check_concurrency<3>(Distorted_example<3>(12, 10, 8));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_assembly

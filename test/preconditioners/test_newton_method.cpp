@@ -7,7 +7,6 @@
 
 // Newton's method: quadratic convergence, and what becomes of indefinite Hessians.
 
-#define BOOST_TEST_MODULE newton_method
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -20,6 +19,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_newton_method)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -113,3 +114,5 @@ BOOST_AUTO_TEST_CASE(newton_falls_back_from_indefinite_matrices)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_newton_method

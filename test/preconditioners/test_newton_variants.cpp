@@ -7,7 +7,6 @@
 
 // Newton's form and the ways to make it positive semidefinite, against differences of the energy and dense eigendecompositions.
 
-#define BOOST_TEST_MODULE newton_variants
 #include "support/unit_test.h"
 
 #include "support/full_matrix.h"
@@ -25,6 +24,8 @@
 #include <cmath>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_newton_variants)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -190,3 +191,5 @@ BOOST_AUTO_TEST_CASE(element_matrices_are_clamped_on_the_vertices)
   check_vertex_space<2>();
   check_vertex_space<3>();
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_newton_variants

@@ -8,7 +8,6 @@
 // Every preconditioner's form as a matrix on the increment of the Jacobian, against the second differential of the energy and
 // against the formulas of the papers.
 
-#define BOOST_TEST_MODULE preconditioners
 #include "support/unit_test.h"
 
 #include "support/full_matrix.h"
@@ -27,6 +26,8 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_preconditioners)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -438,3 +439,5 @@ BOOST_AUTO_TEST_CASE(ungathered_majorization_near_isometry)
   }
   BOOST_TEST(below == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_preconditioners

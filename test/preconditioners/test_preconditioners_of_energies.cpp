@@ -8,7 +8,6 @@
 // Preconditioners and all energies: matrices are positive semidefinite, SLIM's weights are positive and reproduce the gradient,
 // and Hessians agree with differences.
 
-#define BOOST_TEST_MODULE preconditioners_of_energies
 #include "support/unit_test.h"
 
 #include "support/all_energies.h"
@@ -28,6 +27,8 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_preconditioners_of_energies)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -221,3 +222,5 @@ BOOST_AUTO_TEST_CASE(slim_newton_chooses_by_shape)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_preconditioners_of_energies

@@ -8,7 +8,6 @@
 // Methods with progressive references end where projected Newton ends,
 // and the hybrid preconditioner changes over by its two rules.
 
-#define BOOST_TEST_MODULE progressive_methods
 #include "support/unit_test.h"
 
 #include "support/full_matrix.h"
@@ -23,6 +22,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_progressive_methods)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -178,3 +179,5 @@ BOOST_AUTO_TEST_CASE(hybrid_changes_over)
   uses_second(0, infinity, 0.5);
   BOOST_TEST(asked == 10);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_progressive_methods

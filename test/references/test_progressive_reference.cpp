@@ -8,7 +8,6 @@
 // Progressive references on elements whose Jacobians are given: what distortion they leave, what they leave alone,
 // and when they end.
 
-#define BOOST_TEST_MODULE progressive_reference
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -22,6 +21,8 @@
 #include <cmath>
 #include <cstdint>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_progressive_reference)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -325,3 +326,5 @@ BOOST_AUTO_TEST_CASE(distortion_from_references_is_bounded_3) { check_all_interp
 BOOST_AUTO_TEST_CASE(rest_shape_takes_over_2) { check_switching<2>(); }
 
 BOOST_AUTO_TEST_CASE(rest_shape_takes_over_3) { check_switching<3>(); }
+
+BOOST_AUTO_TEST_SUITE_END() // test_progressive_reference

@@ -8,7 +8,6 @@
 // Maps with flips are repaired in the plane, by both methods and through a mesh;
 // what cannot be repaired is left alone and said so.
 
-#define BOOST_TEST_MODULE repair_map
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -29,6 +28,8 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_repair_map)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -306,3 +307,5 @@ BOOST_AUTO_TEST_CASE(conformal_map_that_collapsed, *boost::unit_test::label("nee
     BOOST_TEST(number_of_flips(domain, x) == 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_repair_map

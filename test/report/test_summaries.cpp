@@ -7,7 +7,6 @@
 
 // The accounts of all functions: what they print, and what they become as JSON.
 
-#define BOOST_TEST_MODULE summaries
 #include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/atlas/Packing_options.h>
@@ -32,6 +31,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_summaries)
 
 namespace FFM = CGAL::Flip_free_maps;
 using FFM::Status;
@@ -246,3 +247,5 @@ BOOST_AUTO_TEST_CASE(cpu_seconds_are_those_of_the_call)
   BOOST_TEST(cpu >= 0.16 * 0.999);
   BOOST_TEST(cpu < 0.16 + 0.5 * others);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_summaries

@@ -7,7 +7,6 @@
 
 // Seams of which the two sides fit together: the term against finite differences, and maps of a cube that was inflated.
 
-#define BOOST_TEST_MODULE seam_constraints
 #include "support/unit_test.h"
 
 #include "support/constraint_checks.h"
@@ -26,6 +25,8 @@
 #include <map>
 #include <memory>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_seam_constraints)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -304,3 +305,5 @@ BOOST_AUTO_TEST_CASE(prescribed_rotations_and_impossible_ones)
   const FFM::Seam_summary invalid = FFM::meet_seam_constraints(graph.domain(), impossible, seams, options);
   BOOST_TEST(FFM::status_name(invalid.status) == FFM::status_name(FFM::Status::invalid_option));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_seam_constraints

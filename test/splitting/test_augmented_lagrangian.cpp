@@ -8,7 +8,6 @@
 // Whole iterations of the splitting: under the penalties of the convergence theorem the augmented Lagrangian decreases in each,
 // though the step of the dual variables increases it, and the map comes to satisfy J = R P.
 
-#define BOOST_TEST_MODULE augmented_lagrangian
 #include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
@@ -26,6 +25,8 @@
 #include <cmath>
 #include <cstdint>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_augmented_lagrangian)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -188,3 +189,5 @@ BOOST_AUTO_TEST_CASE(small_penalties_do_not_suffice)
   }
   BOOST_TEST(increases);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_augmented_lagrangian

@@ -7,7 +7,6 @@
 
 // Volume correspondence: the boundary of a bar is mapped, the inside follows without flips.
 
-#define BOOST_TEST_MODULE map_volume
 #include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
@@ -24,6 +23,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_map_volume)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -307,3 +308,5 @@ BOOST_AUTO_TEST_CASE(bad_input)
   BOOST_TEST((FFM::map_volume(domain, {99}, x).status == FFM::Status::invalid_option));
   BOOST_TEST((FFM::map_volume(domain, {}, x).status == FFM::Status::linear_solver_failed));
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_map_volume

@@ -7,7 +7,6 @@
 
 // The global step: its optimality, linear constraints, soft positions, meshes of several parts, and independence of the threads.
 
-#define BOOST_TEST_MODULE splitting_constraints
 #include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
@@ -21,6 +20,8 @@
 
 #include <cstring>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_splitting_constraints)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -219,3 +220,5 @@ BOOST_AUTO_TEST_CASE(threads, *boost::unit_test::label("needs_tbb"))
   test_support::skip_case("built without oneTBB: there is one thread only");
 #endif
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_splitting_constraints

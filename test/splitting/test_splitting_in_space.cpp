@@ -7,7 +7,6 @@
 
 // The splitting against the Newton minimizer in space, from a start with flips, with fixed vertices.
 
-#define BOOST_TEST_MODULE splitting_in_space
 #include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
@@ -17,6 +16,8 @@
 #include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
 
 #include <cstdint>
+
+BOOST_AUTO_TEST_SUITE(test_splitting_in_space)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -55,3 +56,5 @@ BOOST_AUTO_TEST_CASE(same_energy_in_space)
   for(std::int32_t v : constraints.fixed_vertices)
     BOOST_TEST((x.col(v).array() == start.col(v).array()).all());
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_splitting_in_space

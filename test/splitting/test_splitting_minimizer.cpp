@@ -7,7 +7,6 @@
 
 // The splitting against the Newton minimizer on the same problem, starts with flips, fixed vertices, and how runs end.
 
-#define BOOST_TEST_MODULE splitting_minimizer
 #include "support/unit_test.h"
 
 #include "support/splitting_checks.h"
@@ -26,6 +25,8 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_splitting_minimizer)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -257,3 +258,5 @@ BOOST_AUTO_TEST_CASE(ends_of_runs)
   BOOST_TEST(summary.converged());
   BOOST_TEST(summary.energy <= 1.05);
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_splitting_minimizer

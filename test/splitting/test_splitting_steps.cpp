@@ -7,7 +7,6 @@
 
 // Each local step of the splitting against minimisation by search, and the books of dual variables and penalties.
 
-#define BOOST_TEST_MODULE splitting_steps
 #include "support/unit_test.h"
 
 #include "support/generated_domains.h"
@@ -25,6 +24,8 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+
+BOOST_AUTO_TEST_SUITE(test_splitting_steps)
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -405,3 +406,5 @@ BOOST_AUTO_TEST_CASE(start_of_a_flipped_element)
     BOOST_TEST(element.dual.norm() == 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_splitting_steps

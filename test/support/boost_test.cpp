@@ -7,6 +7,7 @@
 
 // The framework of Boost.Test, compiled once for all tests: in each of them it would take longer than most.
 
+#define BOOST_TEST_MODULE Flip_free_maps
 #define BOOST_TEST_NO_MAIN
 #include <boost/test/included/unit_test.hpp>
 
@@ -28,8 +29,6 @@ void skip_case(const std::string& why)
 }
 
 } // namespace test_support
-
-boost::unit_test::test_suite* init_unit_test_suite(int argc, char* argv[]); // in the file of each test
 
 int main(int argc, char* argv[])
 {

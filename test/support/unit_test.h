@@ -8,12 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_TEST_SUPPORT_UNIT_TEST_H
 #define CGAL_FLIP_FREE_MAPS_TEST_SUPPORT_UNIT_TEST_H
 
-// Boost.Test for the file of a test program, which defines BOOST_TEST_MODULE before. Boost concludes from that name that the file
-// holds the beginning of the program, but the precompiled headers have asked before there was one.
-
-#ifndef BOOST_TEST_MAIN
-#define BOOST_TEST_MAIN
-#endif
+// Boost.Test for the file of a test, whose cases are a suite with the name of the file: files share a program where they are compiled
+// together.
 
 #include <boost/test/unit_test.hpp>
 

@@ -7,7 +7,6 @@
 
 // TetGen's data structure as a domain, and TetGen as a mesh generator.
 
-#define BOOST_TEST_MODULE tetgen
 #include "support/unit_test.h"
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
@@ -29,6 +28,12 @@
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#endif
+
+BOOST_AUTO_TEST_SUITE(test_tetgen)
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
 
 namespace FFM = CGAL::Flip_free_maps;
 using namespace test_support;
@@ -194,3 +199,5 @@ BOOST_AUTO_TEST_CASE(crashes_do_not_reach_the_caller)
 BOOST_AUTO_TEST_CASE(needs_tetgen) { test_support::skip_case("built without TetGen"); }
 
 #endif
+
+BOOST_AUTO_TEST_SUITE_END() // test_tetgen

@@ -7,7 +7,6 @@
 
 // Closed surfaces are filled with tetrahedra that cover what they enclose.
 
-#define BOOST_TEST_MODULE tetrahedralize
 #include "support/unit_test.h"
 
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
@@ -21,6 +20,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_tetrahedralize)
 
 namespace FFM = CGAL::Flip_free_maps;
 using FFM::Status;
@@ -141,3 +142,5 @@ BOOST_AUTO_TEST_CASE(surfaces_that_cannot_be_filled)
     BOOST_TEST(message.find("cell_size") != std::string::npos);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END() // test_tetrahedralize

@@ -369,6 +369,8 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
 extern template Summary repair_map<2, Flip_free_map_traits<>>(const Simplicial_domain<2>&, Positions<2>&, const Position_constraints<2>&,
                                                               const Repair_options&, const Flip_free_map_traits<>&);
+extern template Summary repair_map<3, Flip_free_map_traits<>>(const Simplicial_domain<3>&, Positions<3>&, const Position_constraints<3>&,
+                                                              const Repair_options&, const Flip_free_map_traits<>&);
 extern template Summary repair_map<3, Any_map_traits>(const Simplicial_domain<3>&, Positions<3>&, const Position_constraints<3>&,
                                                       const Repair_options&, const Any_map_traits&);
 #endif

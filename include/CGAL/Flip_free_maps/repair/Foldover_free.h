@@ -312,6 +312,10 @@ private:
   Block_sparse_matrix m_matrix;
 };
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+extern template class Foldover_free<2>;
+#endif
+
 } // namespace Flip_free_maps
 } // namespace CGAL
 

@@ -38,9 +38,17 @@ CGAL_FLIP_FREE_MAPS_INLINE double turning_angle(const std::array<std::int32_t, 3
 CGAL_FLIP_FREE_MAPS_INLINE Chart_creases::Chart_creases(const Linked_triangles& surface, double sharp_angle)
   : m_surface(surface), m_elements(surface.triangles), m_points(surface.points), m_is_sharp(surface.opposite.size(), 0)
 {
+  double turns = 0, lengths = 0;
   for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_is_sharp.size()); ++h)
-    if(neighbor(h) >= 0 && !surface.is_diagonal(h))
-      m_is_sharp[h] = turning_angle(m_elements[h / 3], m_elements[neighbor(h)], m_points) >= sharp_angle;
+    if(neighbor(h) >= 0 && !surface.is_diagonal(h)) {
+      const double angle = turning_angle(m_elements[h / 3], m_elements[neighbor(h)], m_points);
+      if(angle < sharp_angle)
+        continue;
+      m_is_sharp[h] = 1;
+      turns += angle * length(h);
+      lengths += length(h);
+    }
+  m_is_clearly_sharp = turns >= SMALLEST_MEAN_ANGLE * lengths;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Chart_creases::cuts()
@@ -50,9 +58,14 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Chart_creases::cuts()
     return result;
   find_regions();
   const std::vector<char> is_hinge = find_hinges();
+  double cut_length = 0;
   for(std::size_t b = 0; b < m_borders.size(); ++b)
-    if(!is_hinge[b])
+    if(!is_hinge[b]) {
+      cut_length += m_borders[b].length;
       result.insert(result.end(), m_borders[b].sides.begin(), m_borders[b].sides.end());
+    }
+  if(!m_is_clearly_sharp && cut_length > LONGEST_DOUBTFUL_CUT * std::sqrt(area()))
+    result.clear();
   return result;
 }
 
@@ -79,6 +92,16 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_creases::is_constructed() const
       (has_sharp_edge[v] ? at_sharp_edges : elsewhere) += std::abs(curvatures[v]);
   return sharp > 0 && static_cast<double>(smooth) >= SMALLEST_SMOOTH_PART * static_cast<double>(sharp + smooth) &&
          at_sharp_edges >= SMALLEST_CURVATURE && elsewhere <= LARGEST_SMOOTH_PART_OF_CURVATURE * at_sharp_edges;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE double Chart_creases::area() const
+{
+  double area = 0;
+  for(const auto& v : m_elements) {
+    const Vector<3> p = m_points.col(v[1]) - m_points.col(v[0]), q = m_points.col(v[2]) - m_points.col(v[0]);
+    area += 0.5 * p.cross(q).norm();
+  }
+  return area;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::find_regions()

@@ -21,42 +21,36 @@
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
 #include <algorithm>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// Whether a minimizer can be told to stop early and to go on.
-template <typename Minimizer, typename = void>
-struct Has_map_options : std::false_type
-{};
-
-template <typename Minimizer>
-struct Has_map_options<Minimizer, std::void_t<decltype(std::declval<Minimizer&>().options())>>
-  : std::is_same<decltype(std::declval<Minimizer&>().options()), Map_options&>
-{};
-
 // Relative decrease of the energy in an iteration at which a map is rough.
 constexpr double ROUGH = 1e-3;
 
 // Minimises, but stops where a rough map is hopeless.
-template <typename Minimizer>
-void minimize_unless_hopeless(const Planar_request& request, Minimizer& minimizer, Positions<2>& x, Summary& summary)
+template <typename Traits>
+void minimize_unless_hopeless(const Planar_request& request, Map_minimizer<2, Traits>& minimizer, Positions<2>& x, Summary& summary)
 {
-  if constexpr(Has_map_options<Minimizer>::value)
-    if(request.is_hopeless) {
-      Map_options& options = minimizer.options();
-      const Map_options given = options;
-      options.relative_energy_tolerance = (std::max)(options.relative_energy_tolerance, ROUGH);
-      minimizer.minimize(x, summary);
-      if(summary.status != Status::success || request.is_hopeless(x))
-        return;
-      options = given;
-      options.max_iterations = (std::max)(0, given.max_iterations - summary.iterations);
-      options.keep_factorization = true;
-    }
+  if(request.is_hopeless) {
+    Map_options& options = minimizer.options();
+    const Map_options given = options;
+    options.relative_energy_tolerance = (std::max)(options.relative_energy_tolerance, ROUGH);
+    minimizer.minimize(x, summary);
+    if(summary.status != Status::success || request.is_hopeless(x))
+      return;
+    options = given;
+    options.max_iterations = (std::max)(0, given.max_iterations - summary.iterations);
+    options.keep_factorization = true;
+  }
+  minimizer.minimize(x, summary);
+}
+
+// Others know of no rough maps.
+template <typename Minimizer>
+void minimize_unless_hopeless(const Planar_request&, Minimizer& minimizer, Positions<2>& x, Summary& summary)
+{
   minimizer.minimize(x, summary);
 }
 
