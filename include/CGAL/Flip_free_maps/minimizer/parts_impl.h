@@ -34,7 +34,7 @@ namespace internal {
 
 template void project_to_psd(Eigen::Matrix<double, 2, 2>&, bool);
 template void project_to_psd(Eigen::Matrix<double, 3, 3>&, bool);
-template void project_to_psd(Element_matrix&, bool);
+template void project_to_psd(Eigen::MatrixXd&, bool);
 template class Handle_groups<2>;
 template class Handle_groups<3>;
 template void remove_rigid_motion<2>(const Positions<2>&, Eigen::VectorXd&);

@@ -19,12 +19,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The matrix of one element on the displacements of its vertices, of a size for all dimensions, so that its eigenvalues, which take
-// long to compile, are computed by one function.
-using Element_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 12>;
-
 // Replaces the eigenvalues of a symmetric matrix by their positive parts or, when `absolute`, by their absolute values. Matrices
-// that are diagonally dominant with a positive diagonal, the common case, are left as they are without computing eigenvalues.
+// that are diagonally dominant with a positive diagonal, the common case, are left as they are without computing eigenvalues. Matrices
+// of more than three rows are of a size that is known at run time, since the eigenvalues of each size take long to compile.
 template <typename Matrix>
 void project_to_psd(Matrix& matrix, bool absolute = false)
 {
@@ -42,13 +39,13 @@ void project_to_psd(Matrix& matrix, bool absolute = false)
   typename Eigensystem::RealVectorType values = eigen.eigenvalues();
   for(double& value : values)
     value = absolute ? std::abs(value) : (std::max)(value, 0.);
-  matrix = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+  matrix = (eigen.eigenvectors() * values.asDiagonal()).lazyProduct(eigen.eigenvectors().transpose());
 }
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
 extern template void project_to_psd(Eigen::Matrix<double, 2, 2>&, bool);
 extern template void project_to_psd(Eigen::Matrix<double, 3, 3>&, bool);
-extern template void project_to_psd(Element_matrix&, bool);
+extern template void project_to_psd(Eigen::MatrixXd&, bool);
 #endif
 
 } // namespace internal

@@ -440,7 +440,7 @@ private:
   static void clamp(Element_blocks& blocks)
   {
     constexpr int SIZE = D * (D + 1);
-    Element_matrix matrix(SIZE, SIZE);
+    Eigen::MatrixXd matrix(SIZE, SIZE);
     for(int a = 0; a <= D; ++a)
       for(int b = a; b <= D; ++b) {
         matrix.template block<D, D>(D * a, D * b) = blocks[a][b];
