@@ -53,7 +53,7 @@ private:
   static constexpr double SMALLEST_SMOOTH_PART = 0.25;
   // Total curvature: what need not be unfolded, and what regions may have in themselves beside that between them.
   static constexpr double SMALLEST_CURVATURE = 0.1, LARGEST_SMOOTH_PART_OF_CURVATURE = 0.02;
-  // Of the outlines of both regions.
+  // Of the outlines of both regions; of its own for a triangle that would be alone.
   static constexpr double SMALLEST_HINGE = 0.08;
   // Relative.
   static constexpr double COLLINEAR = 1e-4;

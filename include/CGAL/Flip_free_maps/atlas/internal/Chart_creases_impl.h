@@ -168,15 +168,28 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<char> Chart_creases::find_hinges() const
       p = joined[p] = joined[joined[p]];
     return p;
   };
+  std::vector<std::int32_t> triangles(m_outlines.size(), 0), hinges(m_outlines.size(), 0);
+  for(const std::int32_t region : m_region)
+    ++triangles[region];
   std::vector<char> result(m_borders.size(), 0);
-  for(const std::size_t b : order) {
-    const auto& regions = m_borders[b].regions;
-    const std::int32_t p = root(regions[0]), q = root(regions[1]);
-    if(p == q || m_borders[b].length < SMALLEST_HINGE * (std::max)(m_outlines[regions[0]], m_outlines[regions[1]]))
-      continue;
-    joined[p] = q;
-    result[b] = 1;
-  }
+  const auto join_along = [&](auto&& is_long) {
+    for(const std::size_t b : order) {
+      const std::int32_t r = m_borders[b].regions[0], t = m_borders[b].regions[1], p = root(r), q = root(t);
+      if(p == q || !is_long(m_borders[b].length, r, t))
+        continue;
+      joined[p] = q;
+      result[b] = 1;
+      ++hinges[r];
+      ++hinges[t];
+    }
+  };
+  join_along(
+    [&](double length, std::int32_t r, std::int32_t t) { return length >= SMALLEST_HINGE * (std::max)(m_outlines[r], m_outlines[t]); });
+  // A triangle that would be alone, such as the cut corner of a box, hangs on a region of any size.
+  join_along([&](double length, std::int32_t r, std::int32_t t) {
+    const auto is_alone = [&](std::int32_t region) { return triangles[region] == 1 && hinges[region] == 0; };
+    return (is_alone(r) && length >= SMALLEST_HINGE * m_outlines[r]) || (is_alone(t) && length >= SMALLEST_HINGE * m_outlines[t]);
+  });
   return result;
 }
 
