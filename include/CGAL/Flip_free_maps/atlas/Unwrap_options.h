@@ -72,7 +72,8 @@ struct Unwrap_options
   double seam_angle = std::numeric_limits<double>::infinity();
   /// Edges across which the surface turns by at least this angle, in radians, are creases. Flat and rolled regions between creases
   /// become charts of their own, or parts of one that unfolds about straight edges, if the surface consists of nothing else and
-  /// `max_distortion` is finite. Positive; infinity for none.
+  /// `max_distortion` is finite. A coarse mesh of something round, where edges turn by less than 60 degrees on the average and charts
+  /// of regions would need long seams, is cut like a smooth one. Positive; infinity for none.
   double crease_angle = 0.5;
   /// Charts that are more than 2.2 times as long as wide, and longer than this times the side of a square with the area of the
   /// surface, are split if charts are packed and distortion is bounded: a single long one would leave most of the square
