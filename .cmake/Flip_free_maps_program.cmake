@@ -37,9 +37,7 @@ endif()
 
 file(GLOB format_files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/program/formats/*.cpp")
 add_library(flip_free_maps_formats STATIC EXCLUDE_FROM_ALL ${format_files})
-if(FLIP_FREE_MAPS_UNITY_BUILD)
-  set_target_properties(flip_free_maps_formats PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-endif()
+set_target_properties(flip_free_maps_formats PROPERTIES UNITY_BUILD ${FLIP_FREE_MAPS_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 0)
 target_link_libraries(flip_free_maps_formats PUBLIC flip_free_maps_program)
 target_compile_options(flip_free_maps_formats PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra>)
 

@@ -14,11 +14,10 @@ output_dir="${OUTPUT_DIR:-$root/quickstart_output}"
 bash "$root/.ci/install_packages.sh" quickstart
 
 # Ninja, unlike make, begins with the program while the library is being compiled.
-generator=()
-if command -v ninja > /dev/null && [[ ! -e "$build_dir/CMakeCache.txt" ]]; then
-  generator=(-G Ninja)
+if command -v ninja > /dev/null; then
+  export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}"
 fi
-cmake "${generator[@]}" -S "$root" -B "$build_dir" -DCMAKE_BUILD_TYPE=Release \
+cmake -S "$root" -B "$build_dir" -DCMAKE_BUILD_TYPE=Release \
       -DFLIP_FREE_MAPS_BUILD_EXAMPLES=ON -DFLIP_FREE_MAPS_BUILD_TESTS=OFF
 cmake --build "$build_dir" -j "$(nproc)" --target flip_free_maps
 

@@ -23,14 +23,11 @@ give_up()
 bash "$root/.ci/install_packages.sh" tests || give_up "The packages needed could not be installed."
 
 # Compiling takes most of the time: optimization beyond the first level would take more than it saves. Assertions are on, in the compiled
-# library as well.
-#
-# Ninja, unlike make, begins with the tests while the library is being compiled.
-generator=()
-if command -v ninja > /dev/null && [[ ! -e "$build_dir/CMakeCache.txt" ]]; then
-  generator=(-G Ninja)
+# library as well. Ninja, unlike make, begins with the tests while the library is being compiled.
+if command -v ninja > /dev/null; then
+  export CMAKE_GENERATOR="${CMAKE_GENERATOR:-Ninja}"
 fi
-cmake "${generator[@]}" -S "$root" -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
+cmake -S "$root" -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
       -DFLIP_FREE_MAPS_BUILD_EXAMPLES=ON -DFLIP_FREE_MAPS_BUILD_TESTS=ON -DFLIP_FREE_MAPS_BUILD_PYTHON=ON "$@" || give_up "CMake failed."
 cmake --build "$build_dir" -j "$jobs" || give_up "The build failed."
 

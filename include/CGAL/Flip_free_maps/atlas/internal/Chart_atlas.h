@@ -67,9 +67,7 @@ public:
       m_summary.status = Status::invalid_option;
       return false;
     }
-    const Positions<3>& points = m_surface.points;
-    for(const auto& t : m_surface.triangles)
-      m_area += 0.5 * Vector<3>(points.col(t[1]) - points.col(t[0])).cross(Vector<3>(points.col(t[2]) - points.col(t[0]))).norm();
+    m_area = m_surface.area();
     std::vector<std::int32_t> all(m_surface.triangles.size());
     std::iota(all.begin(), all.end(), 0);
     m_faces = number_of_polygons(all);

@@ -46,11 +46,11 @@ private:
     double length = 0;
   };
 
-  // Where edges turn by less than this on the average, in radians and weighted by their lengths, and cuts along them would be longer
-  // than so many sides of a square with the area of the surface, the mesh is a coarse one of something round as well.
-  static constexpr double SMALLEST_MEAN_ANGLE = 1.05, LONGEST_DOUBTFUL_CUT = 5;
   // Of all edges: where nearly all are sharp there are no regions, the mesh is a coarse one of something round.
   static constexpr double SMALLEST_SMOOTH_PART = 0.25;
+  // Radians, and sides of a square with the area of the surface: where sharp edges turn by less on the average, weighted by their
+  // lengths, and the cuts would be longer, the mesh is such a one as well.
+  static constexpr double SMALLEST_MEAN_ANGLE = 1.05, LONGEST_DOUBTFUL_CUT = 5;
   // Total curvature: what need not be unfolded, and what regions may have in themselves beside that between them.
   static constexpr double SMALLEST_CURVATURE = 0.1, LARGEST_SMOOTH_PART_OF_CURVATURE = 0.02;
   // Of the outlines of both regions; of its own for a triangle that would be alone.
@@ -64,8 +64,6 @@ private:
 
   bool is_constructed() const;
 
-  double area() const;
-
   void find_regions();
 
   // Adds a side to that of some lines which it is a part of.
@@ -78,7 +76,7 @@ private:
   const std::vector<std::array<std::int32_t, 3>>& m_elements;
   const Positions<3>& m_points;
   std::vector<char> m_is_sharp;       // by halfedge
-  bool m_is_clearly_sharp;            // such edges on the average
+  bool m_is_clearly_sharp;            // whether sharp edges turn by enough on the average
   std::vector<std::int32_t> m_region; // by triangle
   std::vector<double> m_outlines;     // by region, the length of its border
   std::vector<Border> m_borders;

@@ -64,7 +64,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Chart_creases::cuts()
       cut_length += m_borders[b].length;
       result.insert(result.end(), m_borders[b].sides.begin(), m_borders[b].sides.end());
     }
-  if(!m_is_clearly_sharp && cut_length > LONGEST_DOUBTFUL_CUT * std::sqrt(area()))
+  if(!m_is_clearly_sharp && cut_length > LONGEST_DOUBTFUL_CUT * std::sqrt(m_surface.area()))
     result.clear();
   return result;
 }
@@ -92,16 +92,6 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_creases::is_constructed() const
       (has_sharp_edge[v] ? at_sharp_edges : elsewhere) += std::abs(curvatures[v]);
   return sharp > 0 && static_cast<double>(smooth) >= SMALLEST_SMOOTH_PART * static_cast<double>(sharp + smooth) &&
          at_sharp_edges >= SMALLEST_CURVATURE && elsewhere <= LARGEST_SMOOTH_PART_OF_CURVATURE * at_sharp_edges;
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE double Chart_creases::area() const
-{
-  double area = 0;
-  for(const auto& v : m_elements) {
-    const Vector<3> p = m_points.col(v[1]) - m_points.col(v[0]), q = m_points.col(v[2]) - m_points.col(v[0]);
-    area += 0.5 * p.cross(q).norm();
-  }
-  return area;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_creases::find_regions()

@@ -10,6 +10,8 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +40,14 @@ struct Linked_triangles
   bool is_diagonal(std::int32_t h) const { return opposite[h] >= 0 && polygons[h / 3] == polygons[opposite[h] / 3]; }
   // Whether a triangle is the first of its polygon, so that polygons can be counted.
   bool is_first(std::int32_t f) const { return f == 0 || polygons[f - 1] != polygons[f]; }
+
+  double area() const
+  {
+    double sum = 0;
+    for(const auto& t : triangles)
+      sum += 0.5 * Vector<3>(points.col(t[1]) - points.col(t[0])).cross(Vector<3>(points.col(t[2]) - points.col(t[0]))).norm();
+    return sum;
+  }
 };
 
 // Numbers the fans of corners that are joined around their vertices; `is_border(h)` says which halfedges end them. `first_corners`
