@@ -168,6 +168,65 @@ BOOST_AUTO_TEST_CASE(many_rectangles_keep_apart)
   }
 }
 
+// Places and lengths of free runs, one cell at a time.
+BOOST_AUTO_TEST_CASE(places_in_a_grid_are_the_first_ones)
+{
+  const int size = 128;
+  Random random(7);
+  FFM::internal::Cell_grid grid(size);
+  std::vector<char> is_taken(size * size, 0);
+  int number_placed = 0, number_refused = 0;
+  for(int i = 0; i < 150; ++i) {
+    // A star, some with dents.
+    Polygon star;
+    const double longest = random(3, i < 20 ? 45 : 9), thinnest = random(0.3, 1);
+    for(int k = 0; k < 9; ++k)
+      star.push_back(longest * (k % 2 == 0 ? 1 : thinnest) * Eigen::Vector2d(std::cos(0.7 * k), std::sin(0.7 * k)));
+    const FFM::internal::Cell_figure figure(outline_of({star}), size);
+    std::vector<char> cells(figure.width() * figure.height(), 0);
+    for(const auto& run : figure.runs())
+      for(int x = run.first; x <= run.last; ++x)
+        cells[run.row * figure.width() + x] = 1;
+    for(std::size_t k = 0; k < figure.blocks().size(); ++k)
+      for(int y = 0; y < 1 << k; ++y)
+        for(int x = figure.blocks()[k].first; x <= figure.blocks()[k].last; ++x)
+          BOOST_TEST_REQUIRE(cells[(figure.blocks()[k].row + y) * figure.width() + x] == 1);
+    const auto has_room = [&](int x0, int y0) {
+      for(int y = 0; y < figure.height(); ++y)
+        for(int x = 0; x < figure.width(); ++x)
+          if(cells[y * figure.width() + x] && is_taken[(y0 + y) * size + x0 + x])
+            return false;
+      return true;
+    };
+    int place = -1, row = 0;
+    for(; row + figure.height() <= size && place < 0; ++row) {
+      int expected = 0;
+      while(expected + figure.width() <= size && !has_room(expected, row))
+        ++expected;
+      place = grid.first_place(figure, row);
+      BOOST_TEST_REQUIRE(place == (expected + figure.width() <= size ? expected : -1));
+    }
+    if(place < 0) {
+      ++number_refused;
+      continue;
+    }
+    ++number_placed;
+    const double distance = random(0, 3);
+    grid.take(figure, place, --row, distance);
+    for(int y = 0; y < size; ++y)
+      for(int x = 0; x < size; ++x)
+        for(const auto& run : figure.runs()) {
+          // Between the nearest points of two cells.
+          const int dx = (std::max)({place + run.first - x - 1, x - place - run.last - 1, 0});
+          const int dy = (std::max)(std::abs(row + run.row - y) - 1, 0);
+          if(std::hypot(dx, dy) < distance || (y == row + run.row && x >= place + run.first && x <= place + run.last))
+            is_taken[y * size + x] = 1;
+        }
+  }
+  BOOST_TEST(number_placed > 30);
+  BOOST_TEST(number_refused > 10);
+}
+
 // Boxes of unit length would be half as large.
 BOOST_AUTO_TEST_CASE(triangles_share_a_square)
 {

@@ -413,7 +413,7 @@ BOOST_AUTO_TEST_CASE(charts_are_laid_into_holes)
   check_atlas(nested, summary);
   BOOST_TEST(summary.charts.size() == 2u);
   BOOST_TEST(summary.occupancy > 0.75);
-  check_distances(nested, 1. / 256);
+  check_distances(nested, 1. / 512);
 }
 
 BOOST_AUTO_TEST_CASE(seams_of_the_user)

@@ -50,7 +50,7 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
         Edges, as pairs of points, that are cut; edges that seams prefer.
     pack : bool, default True
         Whether charts are packed; they lie side by side, in the units of the points, otherwise.
-    margin : float, default 1/256
+    margin : float, default 1/512
         Least distance between two charts, in parts of the square's side.
     resolution, padding : int, float
         Side of the texture in pixels and, in its place, the least distance in pixels (default 2).

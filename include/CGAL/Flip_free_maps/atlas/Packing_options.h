@@ -22,7 +22,7 @@ struct Packing_options
 {
   /// Least distance between two charts, in parts of the unit square's side, in (0, 1/2]. Charts keep half of it from the sides of
   /// the square. Charts are laid into dents and holes of others.
-  double margin = 1. / 256;
+  double margin = 1. / 512;
   /// The side of the texture in pixels. If it is not 0, `padding` takes the place of `margin`.
   int resolution = 0;
   /// Least distance between two charts in pixels, see `resolution`.

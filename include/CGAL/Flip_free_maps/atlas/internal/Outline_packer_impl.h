@@ -11,11 +11,15 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Outline_packer.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <numeric>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -23,199 +27,188 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE void Cell_mask::fill(int y, int first, int last)
+template <typename Size>
+void Outline_packer::sort(Size size)
 {
-  if(y < 0 || y >= m_height)
-    return;
-  first = (std::max)(first, 0);
-  last = (std::min)(last, m_width - 1);
-  if(first <= last)
-    std::fill(m_cells.begin() + std::size_t(y) * m_width + first, m_cells.begin() + std::size_t(y) * m_width + last + 1, 1);
+  std::vector<double> sizes;
+  for(const Chart_outline& outline : m_outlines) {
+    const Vector<2> box = outline.sources.rowwise().maxCoeff() - outline.sources.rowwise().minCoeff();
+    sizes.push_back(size(box));
+  }
+  m_order.resize(m_outlines.size());
+  std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+  std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::array<int, 3>> Cell_mask::runs() const
+CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::pack(double low, double high, const std::function<bool()>& must_stop)
 {
-  std::vector<std::array<int, 3>> result;
-  for(int y = 0; y < m_height; ++y)
-    for(int x = 0, end; x < m_width; x = end + 1) {
-      end = x;
-      if(!(*this)(x, y))
-        continue;
-      while(end + 1 < m_width && (*this)(end + 1, y))
-        ++end;
-      result.push_back({{x, end, y}});
+  for(const Chart_outline& outline : m_outlines) {
+    const auto &p = outline.sources.array(), &q = outline.targets.array();
+    m_areas.push_back(0.5 * (p.row(0) * q.row(1) - p.row(1) * q.row(0)).sum());
+  }
+  m_area = std::accumulate(m_areas.begin(), m_areas.end(), 0.);
+  // Cells should be small next to charts, and the fewer charts the more orientations.
+  const std::size_t several = 256, many = 1000, n = m_outlines.size();
+  const bool are_many = n > many;
+  m_size = n <= several ? 512 : 1024;
+  const int fine_size = n <= FEW ? 1024 : 2048;
+  sort([](const Vector<2>& box) { return box.maxCoeff(); });
+  low = bisect(low, high, are_many ? 3 * SCALE_TOLERANCE : SCALE_TOLERANCE, must_stop);
+  if(m_most_work == 0)
+    return m_scale > 0;
+  if(!are_many) {
+    // What fits does not depend on the scale monotonically, and other orders may do better.
+    for(const double exponent : {0.25, 0.5, 1.}) {
+      sort([exponent](const Vector<2>& box) { return box.maxCoeff() * std::pow(box.minCoeff(), exponent); });
+      while(!must_stop() && fits(low * (1 + SCALE_TOLERANCE), must_stop))
+        low *= 1 + SCALE_TOLERANCE;
     }
-  return result;
+    low = search(low, must_stop);
+  }
+  m_size = fine_size;
+  if(m_scale > 0) {
+    m_order = m_best_order;
+    m_turn = m_best_turn;
+    m_first_orientation = m_best_orientation;
+  }
+  bisect(low, low * (1 + MOST_REFINEMENT), are_many ? 2 * SCALE_TOLERANCE : SEARCH_STEP, must_stop);
+  return m_scale > 0;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Figure Outline_packer::figure(const Chart_outline& outline, double scale, int orientation) const
+CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::bisect(double low, double high, double tolerance, const std::function<bool()>& must_stop)
 {
-  Figure result;
+  double next = std::sqrt(low * high);
+  for(bool is_guess = false; high - low > tolerance * high && !must_stop(); is_guess = !is_guess) {
+    const double scale = next;
+    (fits(scale, must_stop) ? low : high) = scale;
+    // Where the areas would just do, every other time.
+    const double least = low * (1 + tolerance / 2), most = high / (1 + tolerance / 2);
+    next = is_guess || least > most ? std::sqrt(low * high) : (std::min)(most, (std::max)(least, scale * std::sqrt(m_room)));
+  }
+  return low;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::search(double low, const std::function<bool()>& must_stop)
+{
+  const std::size_t n = m_outlines.size();
+  std::minstd_rand random;
+  std::vector<std::size_t> best = m_best_order.empty() ? m_order : m_best_order;
+  for(m_work = 0; m_work < m_most_work && !must_stop();) {
+    m_order = best;
+    // The chart that had no place comes earlier.
+    const auto failed = std::find(m_order.begin(), m_order.end(), m_failed);
+    if(failed != m_order.end() && failed != m_order.begin() && random() % 2 == 0)
+      std::rotate(m_order.begin() + random() % (failed - m_order.begin()), failed, failed + 1);
+    for(std::size_t swaps = random() % 3; swaps > 0; --swaps) {
+      const std::size_t a = random() % n, b = random() % n;
+      std::swap(m_order[a], m_order[b]);
+    }
+    m_first_orientation = static_cast<int>(random() % m_orientations);
+    if(m_turns_freely && (n == 1 || random() % 4 == 0)) {
+      m_turn = static_cast<double>(random() % 64) / 64;
+      m_figures.clear();
+    }
+    bool is_better = false;
+    while(!must_stop() && fits(low * (1 + SEARCH_STEP), must_stop)) {
+      low *= 1 + SEARCH_STEP;
+      is_better = true;
+    }
+    if(is_better)
+      best = m_order;
+  }
+  return low;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Turned_figure& Outline_packer::figure(std::size_t c, int orientation)
+{
+  Turned_figure& figure = m_figures[c][orientation];
+  if(figure.is_known)
+    return figure;
   // Quarter turns are exact.
   const int quarter = 4 * orientation / m_orientations;
   const double rest = 2 * CGAL_PI * (orientation + m_turn) / m_orientations - CGAL_PI / 2 * quarter;
-  const double c = std::cos(rest), s = std::sin(rest);
-  const double cosines[] = {c, -s, -c, s}, sines[] = {s, c, -s, -c};
-  result.turn.cosine = cosines[quarter];
-  result.turn.sine = sines[quarter];
+  const double cosine = std::cos(rest), sine = std::sin(rest);
+  const double cosines[] = {cosine, -sine, -cosine, sine}, sines[] = {sine, cosine, -sine, -cosine};
+  figure.turn.cosine = cosines[quarter];
+  figure.turn.sine = sines[quarter];
   Matrix<2> rotation;
-  rotation << result.turn.cosine, -result.turn.sine, result.turn.sine, result.turn.cosine;
-  Positions<2> a = (SIZE * scale) * (rotation * outline.sources), b = (SIZE * scale) * (rotation * outline.targets);
-  const Vector<2> low = a.rowwise().minCoeff();
-  a.colwise() -= low;
-  b.colwise() -= low;
-  const Vector<2> size = a.rowwise().maxCoeff();
-  if(size.maxCoeff() > SIZE - 2 * SLACK)
-    return result;
-  result.width = static_cast<int>(size[0] + SLACK) + 1;
-  result.height = static_cast<int>(size[1] + SLACK) + 1;
-  Cell_mask mask(result.width, result.height);
-  // With signs, since a chart may overlap itself.
-  std::vector<std::vector<std::pair<double, int>>> crossings(result.height);
-  for(Eigen::Index i = 0; i < a.cols(); ++i) {
-    const bool is_up = a(1, i) <= b(1, i);
-    const Vector<2> p = is_up ? a.col(i) : b.col(i), q = is_up ? b.col(i) : a.col(i);
-    const auto at = [&](double y) {
-      return q[1] > p[1] ? p[0] + (q[0] - p[0]) * (std::min)(1., (std::max)(0., (y - p[1]) / (q[1] - p[1]))) : p[0];
-    };
-    const int last = static_cast<int>(std::floor(q[1] + SLACK));
-    for(int y = static_cast<int>(std::floor(p[1] - SLACK)); y <= last; ++y) {
-      const double x0 = q[1] > p[1] ? at(y - SLACK) : p[0], x1 = q[1] > p[1] ? at(y + 1 + SLACK) : q[0];
-      mask.fill(y, static_cast<int>(std::floor((std::min)(x0, x1) - SLACK)), static_cast<int>(std::floor((std::max)(x0, x1) + SLACK)));
-      if(y >= 0 && y < result.height && p[1] <= y + 0.5 && q[1] > y + 0.5)
-        crossings[y].emplace_back(at(y + 0.5), is_up ? 1 : -1);
-    }
-  }
-  for(int y = 0; y < result.height; ++y) {
-    std::sort(crossings[y].begin(), crossings[y].end());
-    int turns = 0;
-    for(std::size_t i = 0; i + 1 < crossings[y].size(); ++i) {
-      turns += crossings[y][i].second;
-      if(turns != 0)
-        mask.fill(y, static_cast<int>(std::ceil(crossings[y][i].first - 0.5)),
-                  static_cast<int>(std::floor(crossings[y][i + 1].first - 0.5)));
-    }
-  }
-  const int stride = 16;
-  result.runs = mask.runs();
-  std::stable_sort(result.runs.begin(), result.runs.end(),
-                   [](const std::array<int, 3>& r, const std::array<int, 3>& t) { return r[2] % stride < t[2] % stride; });
-  for(const auto& run : result.runs)
-    if(run[1] - run[0] + 1 > result.longest) {
-      result.longest = run[1] - run[0] + 1;
-      result.longest_row = run[2];
-    }
-  return result;
+  rotation << figure.turn.cosine, -figure.turn.sine, figure.turn.sine, figure.turn.cosine;
+  rotation *= m_figures_scale;
+  const Chart_outline& outline = m_outlines[c];
+  figure.cells = Cell_figure({rotation * outline.sources, rotation * outline.targets}, m_size);
+  figure.is_known = true;
+  m_work += 2 * outline.sources.cols();
+  return figure;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::longest_free_run(const Row& row)
+CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::box_class(const Cell_figure& figure)
 {
-  const auto both = [](const Row& a, const Row& b, Row& result) {
-    std::uint64_t any = 0;
-    for(int i = 0; i < WORDS; ++i)
-      any |= result[i] = a[i] & b[i];
-    return any != 0;
+  const auto size_class = [](int size) { return static_cast<int>(CLASSES_PER_OCTAVE * std::log2(size)); };
+  return BOX_CLASSES * size_class(figure.width()) + size_class(figure.height());
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::function<bool()>& must_stop)
+{
+  if(scale * m_size != m_figures_scale || m_figures.empty()) {
+    m_figures.assign(m_outlines.size(), std::vector<Turned_figure>(m_orientations));
+    m_figures_scale = scale * m_size;
+  }
+  Cell_grid grid(m_size);
+  m_work += 2 * m_size; // what that costs, and an end to the search where nothing else does any work
+  std::vector<Outline_place> places(m_outlines.size());
+  // By orientation and class of the box: below there was no room for another figure, and none is looked for if there are many.
+  const bool are_few = m_outlines.size() <= FEW;
+  std::vector<std::vector<int>> first_rows(are_few ? 0 : m_orientations, std::vector<int>(BOX_CLASSES * BOX_CLASSES, 0));
+  int top = 1;
+  double placed_area = 0;
+  const auto place_all = [&] {
+    for(const std::size_t c : m_order) {
+      if(must_stop())
+        return false;
+      const Turned_figure* best = nullptr;
+      int best_top = m_size + 1, best_x = 0, best_y = 0;
+      for(int i = 0; i < m_orientations; ++i) {
+        const Turned_figure& turned = figure(c, (m_first_orientation + i) % m_orientations);
+        const int height = turned.cells.height();
+        if(height == 0)
+          continue;
+        int lowest = 0;
+        int& y = are_few ? lowest : first_rows[i][box_class(turned.cells)];
+        int x = -1;
+        while(y + height < best_top && y + height <= m_size && (x = grid.first_place(turned.cells, y)) < 0)
+          ++y;
+        if(x < 0)
+          continue;
+        best_top = y + height;
+        best_x = x;
+        best_y = y;
+        best = &turned;
+      }
+      if(best == nullptr) {
+        m_failed = c;
+        m_room = placed_area / m_area;
+        return false;
+      }
+      grid.take(best->cells, best_x, best_y, m_distance * m_size);
+      top = (std::max)(top, best_top);
+      placed_area += m_areas[c];
+      places[c] = best->turn;
+      places[c].x = static_cast<double>(best_x) / m_size;
+      places[c].y = static_cast<double>(best_y) / m_size;
+    }
+    m_room = static_cast<double>(m_size) / top;
+    return true;
   };
-  // Cells from which 1, 2, 4, ... are free; then the length is found digit by digit.
-  std::vector<Row> powers(1, row);
-  for(std::uint64_t& word : powers[0])
-    word = ~word;
-  Row next;
-  while(both(powers.back(), shifted(powers.back(), 1 << (powers.size() - 1)), next))
-    powers.push_back(next);
-  Row from = powers.back();
-  int length = 1 << (powers.size() - 1);
-  for(int digit = static_cast<int>(powers.size()) - 2; digit >= 0; --digit)
-    if(both(from, shifted(powers[digit], length), next)) {
-      from = next;
-      length += 1 << digit;
-    }
-  return both(from, from, next) ? length : 0;
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Figure& Outline_packer::known_figure(std::size_t c, double scale, int orientation)
-{
-  if(scale != m_figures_scale || m_figures.empty()) {
-    m_figures.assign(m_outlines.size(), std::vector<Figure>(m_orientations));
-    m_figures_scale = scale;
-  }
-  Figure& known = m_figures[c][orientation];
-  if(known.runs.empty()) {
-    known = figure(m_outlines[c], scale, orientation);
-    m_work += m_outlines[c].sources.cols() / 4;
-  }
-  return known;
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE Outline_packer::Row Outline_packer::shifted(const Row& row, int by)
-{
-  Row result;
-  const int words = by / 64, bits = by % 64;
-  for(int i = 0; i < WORDS; ++i) {
-    const std::uint64_t low = i + words < WORDS ? row[i + words] : 0, high = i + words + 1 < WORDS ? row[i + words + 1] : 0;
-    result[i] = bits == 0 ? low : (low >> bits) | (high << (64 - bits));
-  }
-  return result;
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::first_place(const Figure& figure, int y)
-{
-  ++m_work;
-  if(m_longest_free[y + figure.longest_row] < figure.longest)
-    return -1;
-  const int places = SIZE - figure.width + 1;
-  Row free;
-  for(int i = 0; i < WORDS; ++i)
-    free[i] = places >= 64 * (i + 1) ? ~std::uint64_t(0) : places <= 64 * i ? 0 : (std::uint64_t(1) << (places - 64 * i)) - 1;
-  for(const auto& run : figure.runs) {
-    // Cells from which some of the next ones, as many as the run has, are taken.
-    Row taken = m_grid[y + run[2]];
-    const int length = run[1] - run[0] + 1;
-    int done = 1;
-    while(done < length) {
-      const int step = (std::min)(done, length - done);
-      const Row other = shifted(taken, step);
-      for(int i = 0; i < WORDS; ++i)
-        taken[i] |= other[i];
-      done += step;
-      ++m_work;
-    }
-    taken = shifted(taken, run[0]);
-    ++m_work;
-    std::uint64_t any = 0;
-    for(int i = 0; i < WORDS; ++i)
-      any |= free[i] &= ~taken[i];
-    if(any == 0)
-      return -1;
-  }
-  for(int x = 0; x < places; ++x)
-    if(free[x / 64] >> (x % 64) & 1)
-      return x;
-  return -1;
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE void Outline_packer::take(const Figure& figure, int x, int y)
-{
-  const double distance = m_distance * SIZE;
-  const int reach = static_cast<int>(std::ceil(distance)) + 1;
-  for(int dy = -reach; dy <= reach; ++dy) {
-    const double gap = (std::max)(std::abs(dy) - 1, 0);
-    int dx = -1;
-    while(std::hypot(gap, (std::max)(dx, 0)) < distance)
-      ++dx; // cells apart by dx have cells of dx - 1 between them
-    if(dx < 0)
-      continue;
-    for(const auto& run : figure.runs) {
-      const int row = y + run[2] + dy;
-      if(row < 0 || row >= SIZE)
-        continue;
-      const int first = (std::max)(0, x + run[0] - dx), last = (std::min)(SIZE - 1, x + run[1] + dx);
-      for(int i = first; i <= last; ++i)
-        m_grid[row][i / 64] |= std::uint64_t(1) << (i % 64);
-    }
-  }
-  for(int row = (std::max)(0, y - reach); row < (std::min)(SIZE, y + figure.height + reach); ++row)
-    m_longest_free[row] = longest_free_run(m_grid[row]);
+  const bool is_placed = place_all();
+  m_work += grid.work();
+  if(!is_placed)
+    return false;
+  m_scale = scale;
+  m_best_order = m_order;
+  m_best_turn = m_turn;
+  m_best_orientation = m_first_orientation;
+  m_places.swap(places);
+  return true;
 }
 
 } // namespace internal

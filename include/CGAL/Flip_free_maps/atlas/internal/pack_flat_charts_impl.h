@@ -84,8 +84,8 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const s
                                                                          const std::function<bool()>& must_stop, std::int64_t most_work,
                                                                          double& scale)
 {
-  // Many small charts hardly have dents for others; and large distances leave none.
-  const std::size_t most_charts = 2000;
+  // Charts as small as cells hardly have dents for others; and large distances leave none.
+  const std::size_t most_charts = 20000;
   const double largest_distance = 0.05;
   std::vector<Outline_place> places;
   for(const Rectangle_place& place : boxes.places())

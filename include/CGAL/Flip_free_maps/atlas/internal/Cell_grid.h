@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_GRID_H
+#define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_GRID_H
+
+#include <CGAL/Flip_free_maps/atlas/internal/Cell_figure.h>
+#include <CGAL/Flip_free_maps/atlas/internal/bit_row.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+// A square of cells that are free or taken, a bit each, and where figures have room.
+class Cell_grid
+{
+public:
+  // All are free. The number of cells along a side is a multiple of 64.
+  explicit Cell_grid(int size = 0);
+
+  int size() const { return m_size; }
+
+  // The first place in a row where a figure touches no cell that is taken, for its leftmost cells; -1 if there is none.
+  int first_place(const Cell_figure& figure, int y);
+
+  // Takes the cells within a figure, and those nearer to one of its cells than a distance.
+  void take(const Cell_figure& figure, int x, int y, double distance);
+
+  // What was done so far, in words that were looked at or written.
+  std::int64_t work() const { return m_work; }
+
+private:
+  using Word = Bit_word;
+  static constexpr int BITS = BITS_PER_WORD;
+
+  Word* row(int y) { return m_cells.data() + std::size_t(y) * m_words; }
+
+  // Whether some cell between these is taken.
+  bool is_any_taken(int y, int first, int last);
+
+  // Removes from the words of places, first to last one, those where a run of cells some of which are taken would begin.
+  void exclude(const Cell_run& run, int y, int& first_word, int& last_word);
+
+  // The most cells side by side that are free in all of 2^k rows.
+  int longest_free(int k, int y, int wanted);
+
+  int m_size, m_words;
+  std::vector<Word> m_cells;
+  // By k, for the 2^k rows from each row on. Cells are only ever taken, so an old length is a bound.
+  std::vector<std::vector<int>> m_longest_free;
+  std::vector<std::vector<char>> m_is_old;
+  std::vector<Word> m_places, m_taken;
+  std::int64_t m_work = 0;
+};
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/atlas/internal/Cell_grid_impl.h>
+#endif
+
+#endif // CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_GRID_H

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Flip_free_maps authors.
+// This file is part of Flip_free_maps, a CGAL-style package.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Flip_free_maps authors
+
+#ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_GRID_IMPL_H
+#define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_GRID_IMPL_H
+
+#include <CGAL/Flip_free_maps/atlas/internal/Cell_grid.h>
+#include <CGAL/Flip_free_maps/internal/inline.h>
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_free_maps {
+namespace internal {
+
+CGAL_FLIP_FREE_MAPS_INLINE Cell_grid::Cell_grid(int size)
+  : m_size(size), m_words(size / BITS), m_cells(std::size_t(size) * m_words, 0), m_places(m_words), m_taken(m_words + 1)
+{
+  for(int rows = 1; rows <= size; rows *= 2) {
+    m_longest_free.emplace_back(size - rows + 1, size);
+    m_is_old.emplace_back(size - rows + 1, 0);
+  }
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Cell_grid::is_any_taken(int y, int first, int last)
+{
+  const Word* const words = row(y);
+  const int begin = first / BITS, end = last / BITS;
+  m_work += end - begin + 1;
+  Word any = 0;
+  for(int w = begin; w <= end; ++w)
+    any |= words[w] & bits_within(w, first, last);
+  return any != 0;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::exclude(const Cell_run& run, int y, int& first_word, int& last_word)
+{
+  const Word* const words = row(y + run.row);
+  // The cells of the row from the first place's on.
+  const int shift = run.first / BITS, bits = run.first % BITS, length = run.length();
+  const int number = (std::min)(last_word - first_word + 1 + (length + BITS - 1) / BITS, m_words - first_word - shift);
+  Word* const taken = m_taken.data();
+  const Word* const from = words + first_word + shift;
+  if(bits == 0)
+    std::copy(from, from + number, taken);
+  else {
+    const bool is_end = first_word + shift + number == m_words;
+    for(int i = 0; i + 1 < number; ++i)
+      taken[i] = (from[i] >> bits) | (from[i + 1] << (BITS - bits));
+    taken[number - 1] = (from[number - 1] >> bits) | (is_end ? 0 : from[number] << (BITS - bits));
+  }
+  // Cells from which some of the next ones, as many as the run has, are taken.
+  for(int done = 1; done < length;) {
+    const int step = (std::min)(done, length - done), skip = step / BITS, rest = step % BITS;
+    int i = 0;
+    if(rest == 0)
+      for(; i + skip < number; ++i)
+        taken[i] |= taken[i + skip];
+    else {
+      for(; i + skip + 1 < number; ++i)
+        taken[i] |= (taken[i + skip] >> rest) | (taken[i + skip + 1] << (BITS - rest));
+      if(i + skip < number)
+        taken[i] |= taken[i + skip] >> rest;
+    }
+    done += step;
+    m_work += number;
+  }
+  m_work += 2 * number;
+  const int end = (std::min)(last_word, first_word + number - 1);
+  for(int i = first_word; i <= end; ++i)
+    m_places[i] &= ~taken[i - first_word];
+  while(first_word <= last_word && m_places[first_word] == 0)
+    ++first_word;
+  while(last_word >= first_word && m_places[last_word] == 0)
+    --last_word;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE int Cell_grid::longest_free(int k, int y, int wanted)
+{
+  int& known = m_longest_free[k][y];
+  if(known < wanted || !m_is_old[k][y])
+    return known;
+  m_is_old[k][y] = 0;
+  std::copy(row(y), row(y) + m_words, m_taken.begin());
+  for(int i = 1; i < 1 << k; ++i) {
+    const Word* const other = row(y + i);
+    for(int w = 0; w < m_words; ++w)
+      m_taken[w] |= other[w];
+  }
+  m_work += std::int64_t(m_words) << k;
+  known = 0;
+  int begin = 0; // of the run of free cells
+  for_each_run(m_taken.data(), m_words, [&](int first, int end) {
+    known = (std::max)(known, first - begin);
+    begin = end;
+  });
+  known = (std::max)(known, m_size - begin);
+  return known;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE int Cell_grid::first_place(const Cell_figure& figure, int y)
+{
+  ++m_work;
+  for(std::size_t k = figure.blocks().size(); k-- > 0;) {
+    const Cell_run& block = figure.blocks()[k];
+    if(longest_free(static_cast<int>(k), y + block.row, block.length()) < block.length())
+      return -1;
+  }
+  // So few places are looked at one by one.
+  const int few = 8;
+  const int places = m_size - figure.width() + 1;
+  int first = 0, last = (places - 1) / BITS;
+  std::fill(m_places.begin(), m_places.begin() + last, ~Word(0));
+  m_places[last] = ~Word(0) >> (BITS * (last + 1) - places);
+  const std::vector<Cell_run>& runs = figure.runs();
+  std::size_t i = 0;
+  for(bool are_few = false; i < runs.size() && !are_few; ++i) {
+    exclude(runs[i], y, first, last);
+    if(first > last)
+      return -1;
+    int number = 0;
+    for(int w = first; w <= last && number <= few; ++w)
+      number += static_cast<int>(std::bitset<BITS>(m_places[w]).count());
+    are_few = number <= few;
+  }
+  for(int w = first; w <= last; ++w)
+    for(Word rest = m_places[w]; rest != 0; rest &= rest - 1) {
+      const int x = BITS * w + lowest_bit(rest);
+      std::size_t j = i;
+      while(j < runs.size() && !is_any_taken(y + runs[j].row, x + runs[j].first, x + runs[j].last))
+        ++j;
+      if(j == runs.size())
+        return x;
+    }
+  return -1;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::take(const Cell_figure& figure, int x, int y, double distance)
+{
+  const int reach = static_cast<int>(std::ceil(distance)) + 1;
+  for(int dy = -reach; dy <= reach; ++dy) {
+    const double gap = (std::max)(std::abs(dy) - 1, 0);
+    int dx = -1;
+    while(std::hypot(gap, (std::max)(dx, 0)) < distance)
+      ++dx; // cells apart by dx have cells of dx - 1 between them
+    if(dx < 0)
+      continue;
+    for(const Cell_run& run : figure.runs()) {
+      const int r = y + run.row + dy;
+      if(r < 0 || r >= m_size)
+        continue;
+      const int first = (std::max)(0, x + run.first - dx), last = (std::min)(m_size - 1, x + run.last + dx);
+      set_bits(row(r), first, last);
+      m_work += (last - first) / BITS + 1;
+    }
+  }
+  const int begin = (std::max)(0, y - reach), end = (std::min)(m_size, y + figure.height() + reach);
+  for(std::size_t k = 0; k < m_is_old.size(); ++k) {
+    std::vector<char>& is_old = m_is_old[k];
+    const int from = (std::max)(0, begin - (1 << k) + 1), to = (std::min)(end, static_cast<int>(is_old.size()));
+    if(from < to)
+      std::fill(is_old.begin() + from, is_old.begin() + to, 1);
+  }
+}
+
+} // namespace internal
+} // namespace Flip_free_maps
+} // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_GRID_IMPL_H
