@@ -104,6 +104,28 @@ BOOST_AUTO_TEST_CASE(wrong_derivatives_are_found)
   BOOST_TEST(FFM::check_derivatives<2>(wrong, s).gradient_error > 1e-4);
 }
 
+// The second derivatives at rest are those of linear elasticity: lambda + 2 mu, and lambda. By E = mu (3 lambda + 2 mu) / (lambda + mu)
+// and nu = lambda / (2 (lambda + mu)) they lead back to the constants, in plane strain, too.
+BOOST_AUTO_TEST_CASE(elastic_constants)
+{
+  const auto check = [](double young, double poisson, double lambda, double two_mu) {
+    const double mu = two_mu / 2;
+    BOOST_TEST(mu * (3 * lambda + 2 * mu) / (lambda + mu) == young, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(lambda / (2 * (lambda + mu)) == poisson, boost::test_tools::tolerance(1e-9));
+  };
+  for(const double young : {1., 2.7})
+    for(const double poisson : {-0.4, 0.1, 0.3, 0.495}) {
+      Vector<2> gradient;
+      Matrix<2> hessian;
+      FFM::Neo_hookean::of_material(young, poisson, 2).derivatives<2>(Vector<2>::Ones(), gradient, hessian);
+      check(young, poisson, hessian(0, 1), hessian(0, 0) - hessian(0, 1));
+      Vector<3> gradient_3;
+      Matrix<3> hessian_3;
+      FFM::Neo_hookean::of_material(young, poisson, 3).derivatives<3>(Vector<3>::Ones(), gradient_3, hessian_3);
+      check(young, poisson, hessian_3(0, 1), hessian_3(0, 0) - hessian_3(0, 1));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(energies_in_matrices)
 {
   check_in_matrices<2>();

@@ -41,6 +41,21 @@ struct Neo_hookean
   double mu = 1;    ///< resistance to shear, positive
   double kappa = 1; ///< resistance to changes of area or volume, positive
 
+  /// That of a material which for small strains is linearly elastic with these constants: in space, or in the plane that of a body
+  /// which cannot leave it (plane strain).
+  ///
+  /// \param young Young's modulus, positive
+  /// \param poisson Poisson's ratio, in (-1, 1/2)
+  /// \param dimension 2 or 3
+  static Neo_hookean of_material(double young, double poisson, int dimension)
+  {
+    Neo_hookean energy;
+    energy.mu = young / (2 * (1 + poisson));
+    // The bulk modulus, lambda + 2 mu / D.
+    energy.kappa = young * poisson / ((1 + poisson) * (1 - 2 * poisson)) + 2 * energy.mu / dimension;
+    return energy;
+  }
+
   /// psi at the singular values `s`.
   template <int D>
   double value(const Eigen::Matrix<double, D, 1>& s) const

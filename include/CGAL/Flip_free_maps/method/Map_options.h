@@ -41,8 +41,8 @@ struct Iteration_report
 struct Map_options
 {
   /// Stop when |grad E| <= tolerance * W * |l|, the characteristic gradient norm of Zhu, Bridson and Kaufman 2018 (Blended Cured
-  /// Quasi-Newton, section 6): W is the norm of the energy's Hessian at the identity and l the vector of the measures of the
-  /// vertices' rest links (perimeters in the plane). It depends neither on the mesh's resolution nor on the energy's scale.
+  /// Quasi-Newton, section 6): l is the vector of the measures of the vertices' rest links (perimeters in the plane), and W the least
+  /// eigenvalue, beside those that vanish, of the energy's Hessian at the identity, where they take the largest. It depends neither on the mesh's resolution nor on the energy's scale.
   double characteristic_gradient_tolerance = 1e-5;
   /// Stop when |grad E| <= tolerance.
   double gradient_tolerance = 0;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -35,8 +36,10 @@ inline double opposite_measure(const Matrix<3>& edges, int k)
   return 0.5 * edges.col(k % 3).cross(edges.col((k + 1) % 3)).norm();
 }
 
-// The gradient norm that a mesh and an energy produce at unit stress: the spectral norm of the energy's Hessian at the identity
-// times the norm of the vector of the rest links' measures (Zhu, Bridson and Kaufman 2018, section 6).
+// The gradient norm that a mesh and an energy produce at unit stress (Zhu, Bridson and Kaufman 2018, section 6): the energy's stiffness
+// at the identity times the norm of the vector of the rest links' measures. They take the largest eigenvalue of the Hessian for the
+// stiffness. Here it is the least one beside those that vanish, as rotations' do: by the largest, a material that hardly changes
+// its volume would count as solved long before it has found its shape.
 template <int D, typename Energy>
 double characteristic_gradient(const Simplicial_domain<D>& domain, const Energy& energy)
 {
@@ -45,10 +48,21 @@ double characteristic_gradient(const Simplicial_domain<D>& domain, const Energy&
   energy.template derivatives<D>(state.s, state.gradient, state.hessian);
   Eigen::SelfAdjointEigenSolver<Matrix<D>> eigen;
   eigen.computeDirect(state.hessian, Eigen::EigenvaluesOnly);
-  double norm = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  std::vector<double> moduli(eigen.eigenvalues().data(), eigen.eigenvalues().data() + D);
   for_each_pair<D>([&](int, int i, int j) {
-    norm = (std::max)({norm, std::abs(symmetric_mode(state, i, j)), std::abs(twist_mode(state, i, j))});
+    moduli.push_back(symmetric_mode(state, i, j));
+    moduli.push_back(twist_mode(state, i, j));
   });
+  double largest = 0;
+  for(double& modulus : moduli) {
+    modulus = std::abs(modulus);
+    largest = (std::max)(largest, modulus);
+  }
+  const double vanishing = 1e-6;
+  double stiffness = largest;
+  for(const double modulus : moduli)
+    if(modulus > vanishing * largest)
+      stiffness = (std::min)(stiffness, modulus);
 
   Eigen::VectorXd links = Eigen::VectorXd::Zero(domain.number_of_vertices);
   for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
@@ -56,7 +70,7 @@ double characteristic_gradient(const Simplicial_domain<D>& domain, const Energy&
     for(int k = 0; k <= D; ++k)
       links[domain.elements[e][k]] += opposite_measure(edges, k);
   }
-  return norm * links.norm();
+  return stiffness * links.norm();
 }
 
 } // namespace internal
