@@ -116,17 +116,28 @@ void add_layout_options(CLI::App& command, Layout_arguments& arguments, const st
   command.add_flag("--unit-square", arguments.unit_square, "scale the texture coordinates into the unit square");
 }
 
-std::vector<File_argument> files_of(const Surface_output& output, const Picture_arguments& pictures, const std::string& json)
+std::vector<std::string> pictures_of(const Picture_arguments& arguments)
+{
+  std::vector<std::string> result;
+  for(const std::string& path : {arguments.png, arguments.png3d, arguments.svg})
+    if(!path.empty())
+      result.push_back(path);
+  return result;
+}
+
+std::vector<File_argument> files_of(const Surface_output& output, const Picture_arguments& pictures, const Method_arguments& method)
 {
   std::vector<File_argument> files = files_of(output);
-  files.insert(files.end(), {{"--json", json}, {"--svg", pictures.svg}, {"--png", pictures.png}, {"--png3d", pictures.png3d}});
+  files.insert(
+    files.end(),
+    {{"--json", method.json}, {"--report", method.report}, {"--svg", pictures.svg}, {"--png", pictures.png}, {"--png3d", pictures.png3d}});
   return files;
 }
 
-std::vector<File_argument> files_of(const Layout_arguments& arguments, const std::string& json, const std::string& trace)
+std::vector<File_argument> files_of(const Layout_arguments& arguments, const Method_arguments& method)
 {
-  std::vector<File_argument> files = files_of(arguments.output, arguments.pictures, json);
-  files.push_back({"--trace", trace});
+  std::vector<File_argument> files = files_of(arguments.output, arguments.pictures, method);
+  files.push_back({"--trace", method.trace});
   return files;
 }
 

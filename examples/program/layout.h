@@ -11,6 +11,7 @@
 #define FLIP_FREE_MAPS_PROGRAM_LAYOUT_H
 
 #include "Atlas.h"
+#include "method_arguments.h"
 #include "outputs.h"
 
 #include <CGAL/Flip_free_maps/report/Summary.h>
@@ -35,6 +36,9 @@ void refuse_without_cairo(CLI::Option* option);
 
 void add_picture_options(CLI::App& command, Picture_arguments& arguments);
 
+// The files of the pictures that are asked for.
+std::vector<std::string> pictures_of(const Picture_arguments& arguments);
+
 void add_picture_width(CLI::App& command, Picture_arguments& arguments);
 
 // The picture of the surface, which sub-commands have that write texture coordinates or measure them.
@@ -51,7 +55,7 @@ void write_pictures(const Picture_arguments& arguments, const std::string& title
 void write_surface_picture(const Picture_arguments& arguments, const FFM::Textured_mesh& layout);
 
 // All files that a call writes, the surface first.
-std::vector<File_argument> files_of(const Surface_output& output, const Picture_arguments& pictures, const std::string& json);
+std::vector<File_argument> files_of(const Surface_output& output, const Picture_arguments& pictures, const Method_arguments& method);
 
 // The files of sub-commands that map a patch to the plane.
 struct Layout_arguments
@@ -65,7 +69,7 @@ struct Layout_arguments
 // Those but the pictures' options, which come last.
 void add_layout_options(CLI::App& command, Layout_arguments& arguments, const std::string& input, const std::string& output);
 
-std::vector<File_argument> files_of(const Layout_arguments& arguments, const std::string& json, const std::string& trace);
+std::vector<File_argument> files_of(const Layout_arguments& arguments, const Method_arguments& method);
 
 // Writes and draws the map `images`, whatever of it is asked for; if it has to be scaled, it is certified anew. Returns the note of
 // write_surface().

@@ -21,10 +21,18 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
     ->check(CLI::IsMember(method_names()))
     ->capture_default_str();
   command.add_option("--energy", arguments.energy, "what is minimised")->check(CLI::IsMember(energy_names()))->capture_default_str();
-  command
-    .add_option("--energy-parameter", arguments.energy_parameter,
-                "the factor of exponential energies, mu of neo-hookean (kappa is 1); by default 1")
-    ->check(CLI::PositiveNumber);
+  CLI::Option* parameter = command
+                             .add_option("--energy-parameter", arguments.energy_parameter,
+                                         "the factor of exponential energies, mu of neo-hookean (kappa is 1); by default 1")
+                             ->check(CLI::PositiveNumber);
+  CLI::Option* poisson = command
+                           .add_option("--poisson", arguments.poisson,
+                                       "Poisson's ratio of the material that neo-hookean models, below 0.5; in the plane: plane strain")
+                           ->check(CLI::Range(-0.999999, 0.499999))
+                           ->excludes(parameter);
+  command.add_option("--young", arguments.young, "Young's modulus of that material, 1 by default: the unit of the energy")
+    ->check(CLI::PositiveNumber)
+    ->needs(poisson);
   command
     .add_option("--preconditioner", arguments.preconditioner,
                 "how directions are found; other than default: with a factorization in each iteration, unless --acceleration keeps "
@@ -52,6 +60,12 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
   add_limit_options(command, arguments);
 }
 
+void add_summary_options(CLI::App& command, Method_arguments& arguments)
+{
+  command.add_option("--json", arguments.json, "write the summary");
+  command.add_option("--report", arguments.report, "write the summary as a page of HTML, with the pictures that this call writes");
+}
+
 void add_limit_options(CLI::App& command, Method_arguments& arguments)
 {
   command
@@ -64,7 +78,7 @@ void add_limit_options(CLI::App& command, Method_arguments& arguments)
   command.add_option("--max-iterations", arguments.max_iterations)->check(CLI::NonNegativeNumber)->capture_default_str();
   command.add_option("--time-limit", arguments.time_limit, "seconds; the map found by then is valid")->check(CLI::PositiveNumber);
   command.add_option("--threads", arguments.threads, "at most this many; results do not depend on it")->check(CLI::PositiveNumber);
-  command.add_option("--json", arguments.json, "write the summary");
+  add_summary_options(command, arguments);
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
   command
     .add_option("--progress", arguments.progress,

@@ -22,13 +22,16 @@ namespace program {
 // The options of all sub-commands that minimise an energy.
 struct Method_arguments : Method_choice
 {
-  std::string json, trace, progress;
+  std::string json, report, trace, progress;
   double memory_budget = 0;
   int threads = 0;
   bool quiet = false, polish = false;
 };
 
 void add_method_options(CLI::App& command, Method_arguments& arguments);
+
+// The files of the summary.
+void add_summary_options(CLI::App& command, Method_arguments& arguments);
 
 // Those of them that tell when to stop and what to report.
 void add_limit_options(CLI::App& command, Method_arguments& arguments);

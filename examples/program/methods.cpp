@@ -29,11 +29,14 @@ namespace program {
 namespace {
 
 // The energies of --energy; some take --energy-parameter.
-std::map<std::string, FFM::Any_energy> energies(double parameter)
+std::map<std::string, FFM::Any_energy> energies(const Method_choice& choice)
 {
+  const double parameter = choice.energy_parameter;
   FFM::Exponential_symmetric_dirichlet exponential_symmetric_dirichlet;
   FFM::Exponential_amips exponential_amips;
   FFM::Neo_hookean neo_hookean;
+  if(choice.is_material_given())
+    neo_hookean = FFM::Neo_hookean::of_material(choice.young, choice.poisson, choice.dimension);
   if(parameter > 0) {
     exponential_symmetric_dirichlet.factor = parameter;
     exponential_amips.factor = parameter;
@@ -98,7 +101,7 @@ std::vector<std::string> method_names()
   return result;
 }
 
-std::vector<std::string> energy_names() { return names(energies(0)); }
+std::vector<std::string> energy_names() { return names(energies(Method_choice())); }
 
 std::vector<std::string> preconditioner_names() { return names(preconditioners()); }
 
@@ -125,6 +128,8 @@ std::vector<std::string> weight_names() { return {"uniform", "mean-value", "cota
 std::string why_not_available(const Method_choice& choice, int dimension)
 {
   FFM::Any_map_traits traits = make_traits(choice);
+  if(choice.is_material_given() && choice.energy != "neo-hookean")
+    return "--poisson is for the energy neo-hookean";
   if(choice.is_splitting()) {
     if(choice.energy != "symmetric-gradient" && choice.energy != "symmetric-dirichlet")
       return "the splitting scheme is for the energies symmetric-gradient and symmetric-dirichlet";
@@ -145,7 +150,7 @@ FFM::Any_map_traits make_traits(const Method_choice& choice)
 {
   FFM::Any_map_traits traits;
   traits.use_method(choice.method);
-  traits.energy = energies(choice.energy_parameter).at(choice.energy);
+  traits.energy = energies(choice).at(choice.energy);
   if(choice.preconditioner != "default") {
     // It takes the place of another in a method of the literature.
     if(choice.method == "default")

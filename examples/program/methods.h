@@ -16,6 +16,7 @@
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,10 @@ struct Method_choice
   int max_iterations = FFM::Map_options().max_iterations;
   double time_limit = 0;
   double energy_parameter = 0;
+  double young = 1, poisson = std::numeric_limits<double>::quiet_NaN(); // of neo-hookean, if the latter is given
+  int dimension = 2;                                                    // of what is mapped
+
+  bool is_material_given() const { return poisson == poisson; }
 
   // The splitting scheme as published, or with a + as this package has improved it.
   bool is_splitting() const { return method == "splitting" || method == "splitting+"; }

@@ -7,6 +7,7 @@
 
 #include "report.h"
 
+#include "html_report.h"
 #include "interruption.h"
 #include "outputs.h"
 
@@ -122,10 +123,13 @@ const Hints& patch_hints()
 }
 
 int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json,
-           const std::string& text)
+           const std::string& text, const std::vector<std::string>& pictures)
 {
   try {
     write_json(arguments.json, json);
+    if(!arguments.report.empty())
+      write_text(arguments.report, html_report("flip_free_maps: " + std::string(FFM::status_name(status)), json,
+                                               FFM::is_valid_map(status) ? pictures : std::vector<std::string>()));
   } catch(const Failure& failure) {
     std::cerr << "flip_free_maps: " << failure.message << '\n';
     end_progress(arguments, failure.status, failure.message);
@@ -139,7 +143,8 @@ int report(const Method_arguments& arguments, Status status, const std::string& 
   return exit_code(status);
 }
 
-int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body, const Hints& hints)
+int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body, const Hints& hints,
+                 const std::vector<std::string>& pictures)
 {
   FFM::Summary summary;
   run_guarded(arguments, summary, body);
@@ -149,7 +154,7 @@ int run_reported(const Method_arguments& arguments, const std::function<void(FFM
     summary.message = summary.message.substr(0, summary.message.find("; cut_to_disk()")) + "; " + hint->second;
   std::ostringstream text;
   text << summary;
-  return report(arguments, summary.status, summary.message, summary, text.str());
+  return report(arguments, summary.status, summary.message, summary, text.str(), pictures);
 }
 
 } // namespace program

@@ -21,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -70,10 +71,11 @@ const Hints& patch_hints();
 
 // Writes a report, prints it, and returns the exit code.
 int report(const Method_arguments& arguments, Status status, const std::string& message, const nlohmann::json& json,
-           const std::string& text);
+           const std::string& text, const std::vector<std::string>& pictures = {});
 
 // Runs `body` on the asked number of threads, turns failures into a summary, writes it, prints it, and returns the exit code.
-int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body, const Hints& hints = Hints());
+int run_reported(const Method_arguments& arguments, const std::function<void(FFM::Summary&)>& body, const Hints& hints = Hints(),
+                 const std::vector<std::string>& pictures = {});
 
 } // namespace program
 

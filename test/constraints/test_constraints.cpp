@@ -114,6 +114,9 @@ BOOST_AUTO_TEST_CASE(invalid_constraints)
   check_message<2>({{}, {{3, Eigen::Vector2d(0, nan), 1}}}, "number 0, of vertex number 3, is not finite");
   for(const double weight : {-1e-9, nan, infinity})
     check_message<2>({{}, {{3, Eigen::Vector2d(0, 0), weight}}}, "weight");
+  check_message<2>({{}, {}, {FFM::Sliding_vertex<2>::along(1000, Eigen::Vector2d(1, 0))}}, "sliding vertex has the number 1000");
+  check_message<2>({{}, {}, {FFM::Sliding_vertex<2>::along(3, Eigen::Vector2d(0, 0))}}, "no orthogonal projection");
+  check_message<2>({{}, {}, {{3, 2 * Eigen::Matrix2d::Identity()}}}, "no orthogonal projection");
 }
 
 // A block that no stencil announces has no place in the matrix: that is an error, not another block.

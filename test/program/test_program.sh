@@ -965,6 +965,26 @@ vertices_of bar.mesh | awk '{ print NR - 1, -$1, $2, $3 }' > mirrored.handles
 rm -f bad.mesh
 expect 12 map-volume bar.mesh mirrored.handles -o bad.mesh --json bad.json
 
+# The ends of the bar pulled apart, its sides in their planes: the affine map.
+last="$(vertices_of bar.mesh | awk '$1 > last { last = $1 } END { print last }')"
+vertices_of bar.mesh | awk -v last="$last" '$1 == 0 || $1 == last { print NR - 1, 1.5 * $1, $2, $3 }' > pulled.handles
+# largest_error FILE: the largest difference of coordinates from those of the affine map.
+largest_error()
+{
+  paste -d ' ' <(vertices_of bar.mesh) <(vertices_of "$1") |
+    awk '{ n = NF / 2; for(i = 1; i <= 3; ++i) { d = $(n + i) - (i == 1 ? 1.5 : 1) * $i; if(d < 0) d = -d; if(d > e) e = d } } END { printf "%.17g", e }'
+}
+expect 0 morph bar.mesh --handles pulled.handles --slide --tolerance 1e-8 -o pulled.mesh --json pulled.json --report pulled.html
+check "morph: sides that slide" less "$(largest_error pulled.mesh)" 1e-5
+check "a report: the heading" grep -q '<h1>flip_free_maps: success</h1>' pulled.html
+check "a report: the figures" grep -q '<tr><td>flips</td><td>0</td></tr>' pulled.html
+check "a report: bars" test "$(grep -c '<figcaption>quality.*histogram</figcaption>' pulled.html)" = 2
+check "a report: needs no other file" test "$(grep -c 'src="[^d]' pulled.html)" = 0
+expect 0 morph bar.mesh --handles pulled.handles -o free.mesh
+check "morph: sides that are free" less 1e-3 "$(largest_error free.mesh)"
+expect 2 morph bar.mesh --handles pulled.handles --slide --no-polish -o bad.mesh
+expect 2 morph bar.mesh --handles pulled.handles -o pulled.mesh --report pulled.mesh
+
 # The boundary of the bent bar in all ways in which it can be given: they are the same.
 expect 0 morph bar.mesh --handles surface.handles -o morphed.mesh --json morphed.json
 check "morph: flips" test "$(value morphed.json flips)" = 0

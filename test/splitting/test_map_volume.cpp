@@ -12,6 +12,7 @@
 #include "support/splitting_checks.h"
 
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
+#include <CGAL/Flip_free_maps/domains/refine_obstructions.h>
 #include <CGAL/Flip_free_maps/map_volume.h>
 #include <CGAL/Flip_free_maps/measure/Element_quality.h>
 #include <CGAL/Flip_free_maps/morph_volume.h>
@@ -192,6 +193,53 @@ BOOST_AUTO_TEST_CASE(edges_within_a_flat_side)
   BOOST_TEST((summary.impossible_edges == expected));
   BOOST_TEST(summary.iterations == 0);
   BOOST_TEST((x.array() == start.array()).all());
+
+  // With a vertex in the middle of each there is a map.
+  FFM::Tetrahedral_mesh mesh;
+  for(const Eigen::Vector3d& p : cube.points)
+    mesh.points.push_back({{p[0], p[1], p[2]}});
+  for(const auto& t : cube.tetrahedra)
+    mesh.tetrahedra.push_back({{t[0], t[1], t[2], t[3]}});
+  const FFM::Tetrahedral_mesh coarse = mesh;
+  const std::vector<FFM::Edge_split> splits = FFM::refine_obstructions(mesh, summary);
+  BOOST_TEST_REQUIRE(splits.size() == expected.size());
+  BOOST_TEST(mesh.points.size() == coarse.points.size() + splits.size());
+  Volume refined;
+  for(const auto& p : mesh.points)
+    refined.points.emplace_back(p[0], p[1], p[2]);
+  for(std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const auto& v = mesh.tetrahedra[t];
+    refined.tetrahedra.push_back({{v[0], v[1], v[2], v[3]}});
+    if(t < coarse.tetrahedra.size() && (std::max)({v[0], v[1], v[2], v[3]}) < static_cast<int>(coarse.points.size()))
+      BOOST_TEST((v == coarse.tetrahedra[t]));
+  }
+  // No hole and no overlap: the boundary is the same, and so is the volume, of tetrahedra that are all positive.
+  auto before = FFM::boundary_triangles(coarse), after = FFM::boundary_triangles(mesh);
+  const auto canonical = [](std::vector<std::array<int, 3>>& triangles) {
+    for(auto& t : triangles)
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    std::sort(triangles.begin(), triangles.end());
+  };
+  canonical(before);
+  canonical(after);
+  BOOST_TEST((before == after));
+  double volume = 0;
+  for(const auto& v : refined.tetrahedra) {
+    Eigen::Matrix3d edges;
+    for(int k = 0; k < 3; ++k)
+      edges.col(k) = refined.points[v[k + 1]] - refined.points[v[0]];
+    BOOST_TEST(edges.determinant() > 0);
+    volume += edges.determinant() / 6;
+  }
+  BOOST_TEST(volume == n * n * n, boost::test_tools::tolerance(1e-12));
+  const FFM::Simplicial_domain<3> fine = make_domain(refined);
+  FFM::Positions<3> y(3, fine.number_of_vertices);
+  for(std::int32_t v = 0; v < fine.number_of_vertices; ++v)
+    y.col(v) = opened(refined.points[v]) / fine.scale;
+  const FFM::Summary found = FFM::map_volume(fine, boundary_vertices(), y);
+  BOOST_TEST(FFM::status_name(found.status) == "success");
+  BOOST_TEST(found.flips == 0);
+  BOOST_TEST(negative_elements(fine, y) == 0);
 }
 
 // What is far from the flips stays where it is, and an affine boundary has an affine map.
@@ -288,6 +336,61 @@ BOOST_AUTO_TEST_CASE(morphed_solids)
   const FFM::Morph_summary refused = FFM::morph_volume(volume, places, result.data());
   BOOST_TEST((refused.status == FFM::Status::invalid_option));
   BOOST_TEST((result[0] == std::array<double, 3>{7, 7, 7}));
+}
+
+// A bar whose ends are pulled apart and whose sides keep to their planes: stresses of the affine map are normal to the sides, so that
+// it is the optimum. Free sides would contract.
+BOOST_AUTO_TEST_CASE(sides_slide_in_their_planes)
+{
+  Random random(5);
+  const Eigen::Matrix3d turn = random.rotation<3>();
+  const int length = 6, width = 3;
+  const auto stretched = [&](const Eigen::Vector3d& p, double factor) -> Eigen::Vector3d {
+    return turn * Eigen::Vector3d(factor * p[0], p[1], p[2]);
+  };
+  const Volume rest = bar(length, width, width, [](const Eigen::Vector3d& p) { return p; });
+  const Volume turned = bar(length, width, width, [&](const Eigen::Vector3d& p) { return stretched(p, 1); });
+  FFM::Tetrahedral_domain volume;
+  std::string message;
+  BOOST_TEST_REQUIRE((volume.load(turned.points, turned.tetrahedra, message) == FFM::Status::success));
+  for(const double factor : {1.7, 0.6}) {
+    std::vector<std::pair<std::size_t, std::array<double, 3>>> places;
+    for(std::size_t v = 0; v < rest.points.size(); ++v)
+      if(rest.points[v][0] == 0 || rest.points[v][0] == length) {
+        const Eigen::Vector3d p = stretched(rest.points[v], factor);
+        places.push_back({v, {{p[0], p[1], p[2]}}});
+      }
+    FFM::Flip_free_map_traits<CGAL::Default, FFM::Symmetric_gradient> traits;
+    traits.options.characteristic_gradient_tolerance = 1e-8;
+    FFM::Morph_options options;
+    for(const bool slides : {true, false}) {
+      options.slide_on_boundary = slides;
+      std::vector<std::array<double, 3>> result(rest.points.size());
+      const FFM::Morph_summary summary = FFM::morph_volume(volume, places, result.data(), traits, options);
+      BOOST_TEST(summary.is_valid());
+      BOOST_TEST(summary.flips == 0);
+      double error = 0, off_planes = 0;
+      for(std::size_t v = 0; v < rest.points.size(); ++v) {
+        const Eigen::Vector3d p(result[v].data());
+        error = (std::max)(error, (p - stretched(rest.points[v], factor)).norm());
+        const Eigen::Vector3d back = turn.transpose() * p;
+        for(int i = 1; i < 3; ++i)
+          if(rest.points[v][i] == 0 || rest.points[v][i] == width)
+            off_planes = (std::max)(off_planes, std::abs(back[i] - rest.points[v][i]));
+      }
+      BOOST_TEST((slides ? error < 1e-5 : error > 0.05));
+      BOOST_TEST((slides ? off_planes < 1e-12 : off_planes > 0.05));
+    }
+  }
+
+  // The methods for flips refuse what they do not know.
+  const FFM::Simplicial_domain<3> domain = make_domain(turned);
+  FFM::Positions<3> x = positions_of<3>(turned, domain.scale);
+  FFM::Position_constraints<3> constraints;
+  constraints.sliding_vertices = {FFM::Sliding_vertex<3>::normal_to(0, Eigen::Vector3d(1, 0, 0))};
+  BOOST_TEST((FFM::repair_map(domain, x, constraints).status == FFM::Status::invalid_option));
+  BOOST_TEST(
+    (FFM::Splitting_minimizer<3>(domain, FFM::Flip_free_map_traits<>(), constraints).minimize(x).status == FFM::Status::invalid_option));
 }
 
 BOOST_AUTO_TEST_CASE(scaled_jacobian_of_known_shapes)

@@ -106,10 +106,11 @@ FFM::Summary minimized(const FFM::Simplicial_domain<D>& domain, const Constraint
   return summary;
 }
 
-// The run converged, fixed vertices are where they were, and no displacement of the others lowers the sum of energy and terms.
+// The run converged, fixed vertices are where they were, and no displacement of the others lowers the sum of energy and terms. Returns
+// the forces that hold the sliding ones.
 template <int D>
-void check_optimum(const FFM::Simplicial_domain<D>& domain, const Constraints<D>& constraints, const FFM::Positions<D>& start,
-                   const Term<D>& term = nullptr)
+double check_optimum(const FFM::Simplicial_domain<D>& domain, const Constraints<D>& constraints, const FFM::Positions<D>& start,
+                     const Term<D>& term = nullptr)
 {
   FFM::Positions<D> x = start;
   const FFM::Summary summary = minimized<D>(domain, constraints, x, term);
@@ -122,10 +123,19 @@ void check_optimum(const FFM::Simplicial_domain<D>& domain, const Constraints<D>
     BOOST_TEST((x.col(v).array() == start.col(v).array()).all());
     gradient.col(v).setZero();
   }
+  double forces = 0;
+  for(const auto& sliding : constraints.sliding_vertices) {
+    const Eigen::Matrix<double, D, 1> path = x.col(sliding.vertex) - start.col(sliding.vertex);
+    BOOST_TEST((sliding.projection * path - path).norm() <= 1e-14);
+    BOOST_TEST(path.norm() > 1e-6);
+    forces += gradient.col(sliding.vertex).norm();
+    gradient.col(sliding.vertex) = (sliding.projection * gradient.col(sliding.vertex)).eval();
+  }
   BOOST_TEST(gradient.norm() <= 1e-7);
   BOOST_TEST((x - start).norm() > 1e-3);
   BOOST_TEST(std::abs(summary.energy_of_terms - terms(x)) <= 1e-12 * (1 + terms(x)));
   BOOST_TEST(std::abs(summary.energy - symmetric_dirichlet<D>(domain, x) - terms(x)) <= 1e-11 * summary.energy);
+  return forces;
 }
 
 template <int D>
@@ -144,6 +154,17 @@ void check_all_optima()
   const Term<D> spring = std::make_shared<Spring<D>>(0, n - 1, 0.4);
   check_optimum<D>(example.domain, Constraints<D>(), example.x, spring);
   check_optimum<D>(example.domain, both, example.x, spring);
+
+  // With a term between two that slide, and one between a vertex that does and a free one.
+  Random random(23);
+  Constraints<D> sliding;
+  for(std::int32_t v : {0, 3, n - 1})
+    sliding.sliding_vertices.push_back(v == 3 ? FFM::Sliding_vertex<D>::normal_to(v, random.vector(D))
+                                              : FFM::Sliding_vertex<D>::along(v, random.vector(D)));
+  check_optimum<D>(example.domain, sliding, example.x);
+  check_optimum<D>(example.domain, sliding, example.x, spring);
+  sliding.soft_positions = soft.soft_positions;
+  BOOST_TEST(check_optimum<D>(example.domain, sliding, example.x, std::make_shared<Spring<D>>(3, 4, 0.4)) > 1e-2);
 
   // Where everything is fixed nothing is to be done.
   Constraints<D> all;

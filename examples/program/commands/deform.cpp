@@ -110,7 +110,8 @@ public:
                                  files_of(m_arguments));
     if(!reason.empty())
       return refuse(reason);
-    return run_reported(m_arguments.method, [this](FFM::Summary& summary) { deform(summary); });
+    return run_reported(
+      m_arguments.method, [this](FFM::Summary& summary) { deform(summary); }, {}, pictures_of(m_arguments.pictures));
   }
 
 private:

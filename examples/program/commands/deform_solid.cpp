@@ -54,11 +54,8 @@ std::optional<Volume_encoding> encoding_of(const Deform_arguments& arguments)
 
 std::vector<File_argument> files_of(const Deform_arguments& arguments)
 {
-  return {{"--output", arguments.output},
-          {"--json", arguments.method.json},
-          {"--trace", arguments.method.trace},
-          {"--svg", arguments.pictures.svg},
-          {"--png", arguments.pictures.png}};
+  return {{"--output", arguments.output},      {"--json", arguments.method.json}, {"--report", arguments.method.report},
+          {"--trace", arguments.method.trace}, {"--svg", arguments.pictures.svg}, {"--png", arguments.pictures.png}};
 }
 
 void add_solid_options(CLI::App& command, Deform_arguments& arguments)
@@ -160,7 +157,9 @@ void deform_solid(const Deform_arguments& arguments, Solid_input input, FFM::Sum
 
   std::vector<Kernel::Point_3> result = points_of(mesh);
   const auto reporter = std::make_shared<Reporter>(arguments.method);
-  FFM::Any_map_traits traits = make_traits(arguments.method);
+  Method_choice method = arguments.method;
+  method.dimension = 3;
+  FFM::Any_map_traits traits = make_traits(method);
   set_options(arguments.method, reporter, traits.options);
   traits.options.tikhonov = arguments.tikhonov;
   FFM::Deform_volume_options options;

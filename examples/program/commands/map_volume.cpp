@@ -6,6 +6,7 @@
 // Author(s)     : The Flip_free_maps authors
 
 #include "deform.h"
+#include "refine_solid.h"
 
 #include "../commands.h"
 #include "../splitting.h"
@@ -40,6 +41,7 @@ public:
       ->check(CLI::IsMember({"symmetric-gradient", "symmetric-dirichlet"}))
       ->capture_default_str();
     app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
+    add_refine(*app, m_refines);
     add_solid_options(*app, m_arguments);
     add_limit_options(*app, m_arguments.method);
     refuse_without_cairo(app->add_option("--png", m_arguments.pictures.png, "draw the solid before and after, coloured by distortion"));
@@ -52,7 +54,8 @@ public:
       {{"the input", m_arguments.input}, {"the target", m_arguments.handles}, {"--start", m_arguments.start}}, files_of(m_arguments));
     if(!reason.empty())
       return refuse(reason);
-    return run_reported(m_arguments.method, [this](FFM::Summary& summary) { map(summary); });
+    return run_reported(
+      m_arguments.method, [this](FFM::Summary& summary) { map(summary); }, {}, pictures_of(m_arguments.pictures));
   }
 
 private:
@@ -69,21 +72,12 @@ private:
       result = points_of(start);
     }
     const auto places = read_places(m_arguments.handles, m_arguments.input, mesh, volume);
-    std::vector<std::int32_t> boundary;
     std::vector<std::size_t> handles;
-    std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
     for(const auto& [v, place] : places) {
       result[v] = place;
       handles.push_back(v);
-      boundary.push_back(volume.number(v));
-      exact_places.emplace_back(boundary.back(), Eigen::Vector3d(place.x(), place.y(), place.z()));
     }
 
-    FFM::Positions<3> x(3, volume.vertices().size());
-    for(std::size_t v = 0; v < volume.vertices().size(); ++v) {
-      const Kernel::Point_3& p = result[volume.vertices()[v]];
-      x.col(v) = volume.to_domain(Eigen::Vector3d(p.x(), p.y(), p.z()));
-    }
     FFM::Repair_options options;
     options.polish = !m_no_polish;
     FFM::Any_map_traits traits = make_traits(m_arguments.method);
@@ -91,7 +85,26 @@ private:
     const auto reporter = std::make_shared<Reporter>(m_arguments.method);
     set_options(m_arguments.method, reporter, traits.options);
     const FFM::Volume_start start = m_arguments.start.empty() ? FFM::Volume_start::extension : FFM::Volume_start::given;
-    summary = FFM::map_volume(volume.domain(), boundary, x, start, options, traits);
+    std::vector<std::pair<std::int32_t, Eigen::Vector3d>> exact_places;
+    FFM::Positions<3> x;
+    const auto run = [&] {
+      std::vector<std::int32_t> boundary;
+      exact_places.clear();
+      for(const auto& [v, place] : places) {
+        boundary.push_back(volume.number(v));
+        exact_places.emplace_back(boundary.back(), Eigen::Vector3d(place.x(), place.y(), place.z()));
+      }
+      x.resize(3, volume.vertices().size());
+      for(std::size_t v = 0; v < volume.vertices().size(); ++v) {
+        const Kernel::Point_3& p = result[volume.vertices()[v]];
+        x.col(v) = volume.to_domain(Eigen::Vector3d(p.x(), p.y(), p.z()));
+      }
+      summary = FFM::map_volume(volume.domain(), boundary, x, start, options, traits);
+    };
+    map_and_refine(m_refines, input, volume, summary, run, [&result](const std::vector<FFM::Edge_split>& splits) {
+      for(const FFM::Edge_split& split : splits)
+        result.push_back(CGAL::midpoint(result[split.ends[0]], result[split.ends[1]]));
+    });
     reporter->finish();
     if(!summary.is_valid())
       return;
@@ -105,7 +118,7 @@ private:
   }
 
   Deform_arguments m_arguments;
-  bool m_no_polish = false;
+  bool m_no_polish = false, m_refines = false;
 };
 
 } // namespace

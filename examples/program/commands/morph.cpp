@@ -6,6 +6,7 @@
 // Author(s)     : The Flip_free_maps authors
 
 #include "deform.h"
+#include "refine_solid.h"
 
 #include "../commands.h"
 #include "../splitting.h"
@@ -55,7 +56,13 @@ public:
                    "what is minimised when the flips are gone; exponential-symmetric-dirichlet for the sake of the worst tetrahedra")
       ->check(CLI::IsMember({"symmetric-gradient", "symmetric-dirichlet", "exponential-symmetric-dirichlet"}))
       ->capture_default_str();
-    app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
+    CLI::Option* no_polish =
+      app->add_flag("--no-polish", m_no_polish, "stop at the first map without flips; some elements are almost collapsed then");
+    app
+      ->add_flag("--slide", m_slides,
+                 "let the rest of the boundary slide on its planes and along its straight creases; it is free otherwise")
+      ->excludes(no_polish);
+    add_refine(*app, m_refines);
     add_solid_options(*app, m_arguments);
     add_limit_options(*app, m_arguments.method);
     refuse_without_cairo(app->add_option("--png", m_arguments.pictures.png, "draw the solid before and after, coloured by distortion"));
@@ -78,7 +85,7 @@ public:
       text << "  scaled Jacobians: worst " << summary.quality_before.min_scaled_jacobian << " at rest, "
            << summary.quality.min_scaled_jacobian << " now; mean " << summary.quality_before.mean_scaled_jacobian << ", "
            << summary.quality.mean_scaled_jacobian << '\n';
-    return report(m_arguments.method, summary.status, summary.message, summary, text.str());
+    return report(m_arguments.method, summary.status, summary.message, summary, text.str(), pictures_of(m_arguments.pictures));
   }
 
 private:
@@ -86,17 +93,22 @@ private:
   {
     FFM::Tetrahedral_domain volume;
     Solid_input input = read_solid_to_map(m_arguments, volume);
-    const FFM::Tetrahedral_mesh& mesh = input.solid.mesh;
-
     const Places places = read_places_of(input, volume);
-    FFM::Repair_options options;
+    FFM::Morph_options options;
+    options.slide_on_boundary = m_slides;
     options.polish = !m_no_polish;
     FFM::Any_map_traits traits = make_traits(m_arguments.method);
     set_limits(m_arguments.method, options);
     const auto reporter = std::make_shared<Reporter>(m_arguments.method);
     set_options(m_arguments.method, reporter, traits.options);
-    std::vector<Kernel::Point_3> result = points_of(mesh);
-    summary = FFM::morph_volume(volume, places, CGAL::make_property_map(result), traits, options);
+    std::vector<Kernel::Point_3> result;
+    map_and_refine(
+      m_refines, input, volume, summary,
+      [&] {
+        result = points_of(input.solid.mesh);
+        summary = FFM::morph_volume(volume, places, CGAL::make_property_map(result), traits, options);
+      },
+      [](const std::vector<FFM::Edge_split>&) {});
     reporter->finish();
     if(!summary.is_valid())
       return;
@@ -190,7 +202,7 @@ private:
 
   Deform_arguments m_arguments;
   std::string m_to, m_from, m_displacement;
-  bool m_no_polish = false;
+  bool m_no_polish = false, m_slides = false, m_refines = false;
 };
 
 } // namespace

@@ -31,7 +31,7 @@ public:
     app->add_option("input", m_input, "OBJ, PLY, GLB or glTF with texture coordinates")->required();
     add_surface_output(*app, m_output, "the mesh with its islands in the unit square");
     add_packing_options(*app, m_packing);
-    app->add_option("--json", m_limits.json, "write the summary");
+    add_summary_options(*app, m_limits);
     app->add_flag("--quiet", m_limits.quiet, "print nothing but errors");
     add_picture_options(*app, m_pictures);
     add_surface_picture(*app, m_pictures);
@@ -39,7 +39,7 @@ public:
 
   int run() override
   {
-    m_files = files_of(m_output, m_pictures, m_limits.json);
+    m_files = files_of(m_output, m_pictures, m_limits);
     std::string reason = why_not_written(m_input, m_output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_input}}, m_files);
@@ -49,7 +49,7 @@ public:
     run_guarded(m_limits, summary, [this](FFM::Packing_summary& account) { pack(account); });
     std::ostringstream text;
     text << summary;
-    return report(m_limits, summary.status, summary.message, summary, text.str());
+    return report(m_limits, summary.status, summary.message, summary, text.str(), pictures_of(m_pictures));
   }
 
 private:

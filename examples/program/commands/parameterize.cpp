@@ -67,7 +67,7 @@ public:
     std::string reason = why_not_available(m_method, 2);
     if(m_bijective && m_method.is_splitting())
       reason = "the splitting scheme makes no bijective maps";
-    m_files = files_of(m_layout, m_method.json, m_method.trace);
+    m_files = files_of(m_layout, m_method);
     if(reason.empty())
       reason = why_not_written(m_layout.input, m_layout.output);
     if(reason.empty())
@@ -77,7 +77,7 @@ public:
     if(!reason.empty())
       return refuse(reason);
     return run_reported(
-      m_method, [this](FFM::Summary& summary) { flatten(summary); }, patch_hints());
+      m_method, [this](FFM::Summary& summary) { flatten(summary); }, patch_hints(), pictures_of(m_layout.pictures));
   }
 
 private:

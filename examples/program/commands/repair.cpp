@@ -137,13 +137,14 @@ public:
 
   int run() override
   {
-    m_files = files_of(m_layout, m_method.json, m_method.trace);
+    m_files = files_of(m_layout, m_method);
     std::string reason = why_not_written(m_layout.input, m_layout.output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_layout.input}, {"--pinned", m_pinned}}, m_files);
     if(!reason.empty())
       return refuse(reason);
-    return run_reported(m_method, [this](FFM::Summary& summary) { repair(summary); });
+    return run_reported(
+      m_method, [this](FFM::Summary& summary) { repair(summary); }, {}, pictures_of(m_layout.pictures));
   }
 
 private:

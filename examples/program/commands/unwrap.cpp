@@ -98,7 +98,7 @@ public:
 
   int run() override
   {
-    m_files = files_of(m_output, m_pictures, m_limits.json);
+    m_files = files_of(m_output, m_pictures, m_limits);
     std::string reason = why_not_written(m_input, m_output);
     if(reason.empty())
       reason = why_files_collide({{"the input", m_input}, {"--seams", m_seams}}, m_files);
@@ -116,7 +116,7 @@ public:
     text << summary;
     if(m_repair)
       text << "  " << repairs << '\n';
-    return report(m_limits, summary.status, summary.message, json, text.str());
+    return report(m_limits, summary.status, summary.message, json, text.str(), pictures_of(m_pictures));
   }
 
 private:

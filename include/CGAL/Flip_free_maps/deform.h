@@ -60,7 +60,7 @@ public:
   /// \param traits the method and its settings
   Deformation(Simplicial_domain<D> domain, const Positions<D>& start, const std::vector<std::int32_t>& handles,
               const Traits& traits = Traits())
-    : Deformation(std::move(domain), start, Position_constraints<D>{handles, {}}, traits)
+    : Deformation(std::move(domain), start, Position_constraints<D>{handles, {}, {}}, traits)
   {}
 
   /// The same with soft positions, whose targets are in the domain's units, beside the handles.

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/constraints/internal/repeated_handles.h>
+#include <CGAL/Flip_free_maps/constraints/internal/slide_on_boundary.h>
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/initializers/internal/uniform_extension.h>
@@ -33,6 +34,22 @@
 
 namespace CGAL {
 namespace Flip_free_maps {
+
+/// \ingroup PkgFlipFreeMapsRef
+/// How `morph_volume()` goes about it.
+struct Morph_options : Repair_options
+{
+  /// Whether vertices of the boundary that are not given slide on it: those in a plane in this plane, those on a straight crease or a
+  /// cylinder along it; where the boundary bends in both directions, vertices keep their places. Otherwise they are free. The given
+  /// vertices walk to their places then, since the methods that remove flips know no such constraint; `polish` and the other fields
+  /// of `Repair_options` do not matter.
+  bool slide_on_boundary = false;
+
+  /// The default.
+  Morph_options() = default;
+  /// Those of a repair.
+  Morph_options(const Repair_options& repair) : Repair_options(repair) {} // NOLINT(google-explicit-constructor)
+};
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The account of `morph_volume()`.
@@ -59,7 +76,7 @@ class Volume_morpher
 {
 public:
   // Keeps references to all. Parts of the solid without a given vertex stay where they are.
-  Volume_morpher(const Simplicial_domain<3>& domain, std::vector<std::int32_t> moved, const Repair_options& options, const Traits& traits)
+  Volume_morpher(const Simplicial_domain<3>& domain, std::vector<std::int32_t> moved, const Morph_options& options, const Traits& traits)
     : m_domain(domain), m_options(options), m_traits(traits)
   {
     Disjoint_sets parts(domain.number_of_vertices);
@@ -73,11 +90,17 @@ public:
     for(std::int32_t v = 0; v < domain.number_of_vertices; ++v)
       if(!moves[parts.root(v)])
         m_constraints.fixed_vertices.push_back(v);
+    if(options.slide_on_boundary)
+      slide_on_boundary(domain, m_constraints);
   }
 
   // `targets` are the places of the vertices that are given, and the rest shape otherwise; `x` becomes the map.
   void run(const Positions<3>& targets, Positions<3>& x, Summary& summary) const
   {
+    if(m_options.slide_on_boundary) {
+      walk(targets, x, summary);
+      return;
+    }
     x = targets - m_domain.rest_points;
     if(!uniform_extension(m_domain, m_constraints.fixed_vertices, m_traits.make_linear_solver(), x)) {
       summary.status = Status::linear_solver_failed;
@@ -89,19 +112,11 @@ public:
       x.col(v) = targets.col(v);
     summary = repair_map(m_domain, x, m_constraints, m_options, m_traits);
     summary.start = "displacements extended, then " + summary.start;
-    if(summary.status == Status::flips_remain)
-      walk(targets, x, summary);
-  }
-
-private:
-  // From rest to the targets, without a flip on the way.
-  void walk(const Positions<3>& targets, Positions<3>& x, Summary& summary) const
-  {
+    if(summary.status != Status::flips_remain)
+      return;
     const Summary direct = summary;
-    x = m_domain.rest_points;
-    typename Traits::template Minimizer<3, Traits> minimizer(m_domain, m_traits, m_constraints);
-    minimizer.move_fixed_vertices(x, targets, summary);
-    summary.start = direct.start + ", then a way from the rest shape";
+    walk(targets, x, summary);
+    summary.start = direct.start + ", then " + summary.start;
     if(summary.is_valid()) {
       summary.flipped_elements.clear();
       return;
@@ -111,8 +126,18 @@ private:
     summary.message += "; on the way from the rest shape " + message;
   }
 
+private:
+  // From rest to the targets, without a flip on the way.
+  void walk(const Positions<3>& targets, Positions<3>& x, Summary& summary) const
+  {
+    x = m_domain.rest_points;
+    typename Traits::template Minimizer<3, Traits> minimizer(m_domain, m_traits, m_constraints);
+    minimizer.move_fixed_vertices(x, targets, summary);
+    summary.start = "a way from the rest shape";
+  }
+
   const Simplicial_domain<3>& m_domain;
-  const Repair_options& m_options;
+  const Morph_options& m_options;
   const Traits& m_traits;
   Position_constraints<3> m_constraints;
 };
@@ -136,13 +161,13 @@ private:
 /// \param result receives the positions of all vertices of tetrahedra, given ones exactly at their places. It is written once, at
 ///   the end, if the map is valid, and left untouched otherwise.
 /// \param traits the method of the minimisation
-/// \param options how flips are removed, and whether the distortion is minimised at the end
+/// \param options how flips are removed, whether the distortion is minimised at the end, and what the rest of the boundary does
 /// \returns how it ended and the shapes of the tetrahedra before and after: as `repair_map()`, and `invalid_option` for a vertex of
 ///   no tetrahedron, or at two places
 template <typename Vertex, typename Places, typename VertexPointMap,
           typename Traits = Flip_free_map_traits<CGAL::Default, Symmetric_gradient>>
 Morph_summary morph_volume(const Volume_domain<Vertex>& volume, const Places& places, VertexPointMap result,
-                           const Traits& traits = Traits(), const Repair_options& options = Repair_options())
+                           const Traits& traits = Traits(), const Morph_options& options = Morph_options())
 {
   Morph_summary summary;
   summary.dimension = 3;
@@ -191,13 +216,14 @@ Morph_summary morph_volume(const Volume_domain<Vertex>& volume, const Places& pl
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same with named parameters: `map_traits`, `map_options` and `repair_options` of `Flip_free_maps::parameters`.
+/// The same with named parameters: `map_traits`, `map_options` and `repair_options`, which takes `Morph_options`, too, of
+/// `Flip_free_maps::parameters`.
 template <typename Vertex, typename Places, typename VertexPointMap, typename T, typename Tag, typename Base>
 Morph_summary morph_volume(const Volume_domain<Vertex>& volume, const Places& places, VertexPointMap result,
                            const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
   return morph_volume(volume, places, result, internal::chosen_traits<Flip_free_map_traits<CGAL::Default, Symmetric_gradient>>(np),
-                      internal::parameter_or(np, internal::repair_options_tag, Repair_options()));
+                      internal::parameter_or(np, internal::repair_options_tag, Morph_options()));
 }
 
 } // namespace Flip_free_maps

@@ -331,7 +331,8 @@ Summary repair_map(const Simplicial_domain<D>& domain, Positions<D>& x,
   Summary summary;
   const auto run = [&] {
     if(!options.is_valid(&summary.message) || !traits.options.is_valid(&summary.message) ||
-       !constraints.is_valid(domain.number_of_vertices, &summary.message)) {
+       !constraints.is_valid(domain.number_of_vertices, &summary.message) ||
+       !internal::has_no_sliding_vertices(constraints, &summary.message)) {
       summary.status = Status::invalid_option;
       return;
     }

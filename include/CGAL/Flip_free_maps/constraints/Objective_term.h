@@ -13,6 +13,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,8 +26,12 @@ template <int D>
 class Term_matrix
 {
 public:
-  /// Enters into `matrix`, in which vertex v has the block of rows number `rows[v]`, none if that is negative.
-  Term_matrix(Block_sparse_matrix& matrix, const std::vector<std::int32_t>& rows) : m_matrix(matrix), m_rows(rows) {}
+  /// Enters into `matrix`, in which vertex v has the block of rows number `rows[v]`, none if that is negative. Where `projection_of`,
+  /// if it is given, is not null, the vertex moves in some directions only, and its rows and columns are projected on them.
+  Term_matrix(Block_sparse_matrix& matrix, const std::vector<std::int32_t>& rows,
+              std::function<const internal::Matrix<D>*(std::int32_t)> projection_of = nullptr)
+    : m_matrix(matrix), m_rows(rows), m_projection_of(std::move(projection_of))
+  {}
 
   /// Adds `block(i, j)` to row i of vertex v and column j of vertex w, and, if v and w differ, its transpose to the mirrored
   /// block. The two must be of one stencil of the term: for a pair that is in no stencil the matrix has no place, and nothing is
@@ -41,7 +47,7 @@ public:
       return;
     const std::int32_t slot = r == c ? 0 : m_matrix.slot(r, c);
     if(slot >= 0)
-      m_matrix.add_block(r, c, slot, block);
+      m_matrix.add_block(r, c, slot, projected(v, w, block));
     else
       m_has_refused = true;
   }
@@ -52,8 +58,20 @@ public:
 private:
   bool is_vertex(std::int32_t v) const { return v >= 0 && static_cast<std::size_t>(v) < m_rows.size(); }
 
+  internal::Matrix<D> projected(std::int32_t v, std::int32_t w, internal::Matrix<D> block) const
+  {
+    if(m_projection_of == nullptr)
+      return block;
+    if(const internal::Matrix<D>* P = m_projection_of(v))
+      block = (*P * block).eval();
+    if(const internal::Matrix<D>* P = m_projection_of(w))
+      block = (block * *P).eval();
+    return block;
+  }
+
   Block_sparse_matrix& m_matrix;
   const std::vector<std::int32_t>& m_rows;
+  std::function<const internal::Matrix<D>*(std::int32_t)> m_projection_of;
   bool m_has_refused = false;
 };
 

@@ -31,6 +31,27 @@ struct Soft_position
   double weight;              ///< how strongly, not negative
 };
 
+/// \ingroup PkgFlipFreeMapsRef
+/// A vertex that keeps to a line, or in space to a plane, through its position in the start.
+template <int D>
+struct Sliding_vertex
+{
+  std::int32_t vertex;            ///< number of the vertex
+  internal::Matrix<D> projection; ///< the orthogonal projection on the directions in which it moves
+
+  /// One that keeps to a line with a direction, which is not zero.
+  static Sliding_vertex along(std::int32_t vertex, const internal::Vector<D>& direction)
+  {
+    return {vertex, direction * direction.transpose() / direction.squaredNorm()};
+  }
+
+  /// One that keeps to what is normal to a vector, which is not zero: a plane in space.
+  static Sliding_vertex normal_to(std::int32_t vertex, const internal::Vector<D>& normal)
+  {
+    return {vertex, internal::Matrix<D>::Identity() - normal * normal.transpose() / normal.squaredNorm()};
+  }
+};
+
 /// \ingroup PkgFlipFreeMapsConstraints
 /// What is asked of the positions of single vertices.
 template <int D>
@@ -40,12 +61,18 @@ struct Position_constraints
   std::vector<std::int32_t> fixed_vertices;
   /// Vertices that are pulled to places.
   std::vector<Soft_position<D>> soft_positions;
+  /// Vertices that move in some directions only, each named once; one that is fixed, too, is fixed. Only `Map_minimizer` knows them:
+  /// repair and the splitting scheme do not.
+  std::vector<Sliding_vertex<D>> sliding_vertices;
 
   /// Whether nothing is asked.
-  bool empty() const { return fixed_vertices.empty() && soft_positions.empty(); }
+  bool empty() const { return fixed_vertices.empty() && soft_positions.empty() && sliding_vertices.empty(); }
 
-  /// Checks the vertices' numbers, targets and weights; when one is off, says which in `*message` (if given) and returns `false`.
+  /// Checks the vertices' numbers, targets, weights and projections; when one is off, says which in `*message` (if given) and returns `false`.
   bool is_valid(std::int32_t number_of_vertices, std::string* message = nullptr) const;
+
+private:
+  static constexpr double PROJECTION_TOLERANCE = 1e-12;
 };
 
 template <int D>
@@ -68,8 +95,29 @@ bool Position_constraints<D>::is_valid(std::int32_t number_of_vertices, std::str
     if(!(soft.weight >= 0) || !std::isfinite(soft.weight))
       return fail("has a weight that is negative or not finite");
   }
+  for(const Sliding_vertex<D>& sliding : sliding_vertices) {
+    const auto fail = [&](const std::string& what) {
+      return internal::fail(message, "a sliding vertex has the number " + std::to_string(sliding.vertex) + ", " + what);
+    };
+    if(sliding.vertex < 0 || sliding.vertex >= number_of_vertices)
+      return fail("but there are " + std::to_string(number_of_vertices));
+    const internal::Matrix<D>& P = sliding.projection;
+    if(!P.allFinite() || !(P - P.transpose()).isZero(PROJECTION_TOLERANCE) || !(P * P - P).isZero(PROJECTION_TOLERANCE))
+      return fail("and a matrix that is no orthogonal projection");
+  }
   return true;
 }
+
+namespace internal {
+
+// For methods that know no sliding vertices.
+template <int D>
+bool has_no_sliding_vertices(const Position_constraints<D>& constraints, std::string* message)
+{
+  return constraints.sliding_vertices.empty() || fail(message, "sliding vertices are known to `Map_minimizer` only");
+}
+
+} // namespace internal
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
 extern template struct Position_constraints<2>;

@@ -70,7 +70,7 @@ public:
   ///
   /// \param domain the rest shape
   /// \param traits the method and its settings
-  /// \param constraints vertices that are fixed or pulled to places
+  /// \param constraints vertices that are fixed, pulled to places, or slide
   explicit Map_minimizer(const Simplicial_domain<D>& domain, const Traits& traits = Traits(),
                          const Position_constraints<D>& constraints = Position_constraints<D>());
 
@@ -440,6 +440,7 @@ Map_minimizer<D, Traits>::Map_minimizer(const Simplicial_domain<D>& domain, cons
   if(!constraints.is_valid(domain.number_of_vertices, &m_constraint_error))
     return;
   m_objective.fix(constraints.fixed_vertices);
+  m_objective.slide(constraints.sliding_vertices);
   if(!constraints.soft_positions.empty())
     m_objective.add_term(std::make_shared<Soft_positions<D>>(constraints.soft_positions));
 }

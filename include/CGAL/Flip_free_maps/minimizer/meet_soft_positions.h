@@ -53,7 +53,8 @@ Summary meet_soft_positions(const Simplicial_domain<D>& domain, Positions<D>& x,
   if(!constraints.is_valid(domain.number_of_vertices, &summary.message))
     return summary;
   const auto soft = std::make_shared<Soft_positions<D>>(constraints.soft_positions);
-  typename Traits::template Minimizer<D, Traits> minimizer(domain, traits, Position_constraints<D>{constraints.fixed_vertices, {}});
+  typename Traits::template Minimizer<D, Traits> minimizer(
+    domain, traits, Position_constraints<D>{constraints.fixed_vertices, {}, constraints.sliding_vertices});
   minimizer.add_term(soft);
   Positions<D> y = x;
   for(double factor = 1; factor <= schedule.largest_factor; factor *= schedule.factor) {

@@ -164,7 +164,7 @@ private:
   Status check(const Positions<D>& x, const Positions<D>& model, std::string& message) const
   {
     if(!m_options.is_valid(&message) || !m_traits.options.is_valid(&message) ||
-       !m_constraints.is_valid(m_domain.number_of_vertices, &message) ||
+       !m_constraints.is_valid(m_domain.number_of_vertices, &message) || !internal::has_no_sliding_vertices(m_constraints, &message) ||
        !m_linear_constraints.is_valid(m_domain.number_of_vertices, &message))
       return Status::invalid_option;
     if(x.cols() != m_domain.number_of_vertices || model.cols() != x.cols()) {

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CONSTRAINTS_INTERNAL_OBSTRUCTIONS_H
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/domains/internal/boundary_triangles_of_solid.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
@@ -83,7 +84,7 @@ private:
   // cover what is beyond that triangle, but do not where the boundary as a whole does not wind around those places.
   void find_edges(std::vector<Edge>& edges) const
   {
-    const std::vector<Triangle> boundary = boundary_triangles();
+    const std::vector<Triangle> boundary = boundary_triangles_of_solid(m_domain.elements);
     const auto is_held = [this](const Triangle& t) { return m_is_fixed[t[0]] && m_is_fixed[t[1]] && m_is_fixed[t[2]]; };
     if(boundary.empty() || !std::all_of(boundary.begin(), boundary.end(), is_held))
       return;
@@ -121,27 +122,6 @@ private:
             result.push_back(edge(element[i], element[j]));
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
-  // The facets of one element only, counterclockwise seen from outside.
-  std::vector<Triangle> boundary_triangles() const
-  {
-    constexpr int FACETS[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-    std::vector<std::pair<Triangle, Triangle>> facets; // sorted, and as they turn
-    facets.reserve(4 * m_domain.elements.size());
-    for(const auto& element : m_domain.elements)
-      for(const auto& facet : FACETS) {
-        const Triangle triangle = {element[facet[0]], element[facet[1]], element[facet[2]]};
-        Triangle key = triangle;
-        std::sort(key.begin(), key.end());
-        facets.emplace_back(key, triangle);
-      }
-    std::sort(facets.begin(), facets.end());
-    std::vector<Triangle> result;
-    for(std::size_t i = 0; i < facets.size(); ++i)
-      if((i == 0 || facets[i - 1].first != facets[i].first) && (i + 1 == facets.size() || facets[i + 1].first != facets[i].first))
-        result.push_back(facets[i].second);
     return result;
   }
 

@@ -88,10 +88,10 @@ public:
   }
 
 private:
-  // Moves the whole shape with handles that move as a rigid body.
+  // Moves the whole shape with handles that move as a rigid body, unless a part of it is to stay in its place.
   void carry(Run& run, const Positions<D>& targets)
   {
-    if(!m_groups.carry(run.x, targets, run.trial) || !m_steps.is_certified(run, run.trial))
+    if(m_objective.has_sliding_vertices() || !m_groups.carry(run.x, targets, run.trial) || !m_steps.is_certified(run, run.trial))
       return;
     run.x.swap(run.trial);
     run.measure(m_objective, m_traits.reference);

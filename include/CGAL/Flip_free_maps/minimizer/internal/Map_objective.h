@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_MAP_OBJECTIVE_H
 
 #include <CGAL/Flip_free_maps/constraints/Objective_term.h>
+#include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Map_measure.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
@@ -28,6 +29,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -67,10 +69,26 @@ public:
   // Chooses the vertices that are no unknowns.
   void fix(const std::vector<std::int32_t>& vertices) { m_unknowns.assign(m_domain.number_of_vertices, vertices); }
 
+  // Chooses the directions in which unknowns move: across them there are neither forces nor steps.
+  void slide(const std::vector<Sliding_vertex<D>>& vertices)
+  {
+    m_projections.clear();
+    m_projection_of.assign(vertices.empty() ? 0 : m_domain.number_of_vertices, -1);
+    for(const Sliding_vertex<D>& sliding : vertices)
+      if(!is_fixed(sliding.vertex)) {
+        m_projection_of[sliding.vertex] = static_cast<std::int32_t>(m_projections.size());
+        m_projections.push_back(sliding.projection);
+      }
+  }
+
   // Vertices that are not fixed.
   std::int32_t number_of_unknowns() const { return m_unknowns.size(); }
 
   bool is_fixed(std::int32_t v) const { return m_unknowns.is_fixed(v); }
+
+  bool slides(std::int32_t v) const { return !m_projection_of.empty() && m_projection_of[v] >= 0; }
+
+  bool has_sliding_vertices() const { return !m_projections.empty(); }
 
   // What is minimised along with the energy of the elements. A null pointer is no term.
   void add_term(std::shared_ptr<const Objective_term<D>> term)
@@ -82,7 +100,7 @@ public:
   // Whether the whole map can move as a rigid body without any change of the objective.
   bool is_rigid_motion_invariant() const
   {
-    bool is_invariant = m_unknowns.size() == m_domain.number_of_vertices;
+    bool is_invariant = m_unknowns.size() == m_domain.number_of_vertices && m_projections.empty();
     for(const auto& term : m_terms)
       is_invariant = is_invariant && term->is_rigid_motion_invariant();
     return is_invariant;
@@ -136,6 +154,8 @@ public:
         displacement.col(v).setZero();
       else
         displacement.col(v) = unknowns.template segment<D>(D * std::int64_t(m_unknowns[v]));
+      if(slides(v))
+        displacement.col(v) = projection(v) * displacement.col(v);
     }
   }
 
@@ -193,16 +213,9 @@ public:
       for(; begin < end; ++begin)
         add_derivatives_of_element(reference, x, begin, with_matrix, gradient);
     });
-    if(m_terms.empty())
-      return;
-    Positions<D> term_gradient = Positions<D>::Zero(D, m_domain.number_of_vertices);
-    Term_matrix<D> term_matrix(m_matrix, m_unknowns.numbers());
-    for(const auto& term : m_terms)
-      term->add_derivatives(x, term_gradient, with_matrix ? &term_matrix : nullptr);
-    m_terms_keep_to_stencils = !term_matrix.has_refused();
-    Eigen::VectorXd unknowns;
-    gather(term_gradient, unknowns);
-    gradient += unknowns;
+    if(!m_terms.empty())
+      add_derivatives_of_terms(x, with_matrix, gradient);
+    project(gradient);
   }
 
   static constexpr const char* FOREIGN_BLOCK = "the matrix of a term has a block of two vertices that share none of its stencils";
@@ -223,6 +236,7 @@ public:
       add_forces(e, U * (reference.weight(m_domain, e) * form(at_x.state).multiply(increment)) * V.transpose() * rest_inverse.transpose(),
                  product);
     });
+    project(product);
   }
 
   // The elements that were deformed or turned most between two maps, by more than `bound`, at most `number` of them and in
@@ -284,7 +298,7 @@ public:
 
     Vertex_relaxation<D, Energy> relaxation(m_energy);
     for(std::int32_t v : blocked) {
-      if(is_fixed(v))
+      if(is_fixed(v) || slides(v))
         continue;
       relaxation.clear();
       for(std::int64_t i = m_star_begin[v]; i < m_star_begin[v + 1]; ++i) {
@@ -359,7 +373,22 @@ private:
     const Matrix<D> hats = at_x.svd.V.transpose() * rest_inverse.transpose();
     add_forces(e, at_x.svd.U * (weight * (at_x.state.gradient.asDiagonal() * hats)), gradient);
     if(with_matrix)
-      scatter_blocks(e, form_blocks(weight, at_x.svd.U, hats, form(at_x.state)));
+      scatter_blocks(e, form_blocks(m_domain.elements[e], weight, at_x.svd.U, hats, form(at_x.state)));
+  }
+
+  void add_derivatives_of_terms(const Positions<D>& x, bool with_matrix, Eigen::VectorXd& gradient)
+  {
+    Positions<D> term_gradient = Positions<D>::Zero(D, m_domain.number_of_vertices);
+    std::function<const Matrix<D>*(std::int32_t)> projection_of;
+    if(has_sliding_vertices())
+      projection_of = [this](std::int32_t v) { return slides(v) ? &projection(v) : nullptr; };
+    Term_matrix<D> term_matrix(m_matrix, m_unknowns.numbers(), projection_of);
+    for(const auto& term : m_terms)
+      term->add_derivatives(x, term_gradient, with_matrix ? &term_matrix : nullptr);
+    m_terms_keep_to_stencils = !term_matrix.has_refused();
+    Eigen::VectorXd unknowns;
+    gather(term_gradient, unknowns);
+    gradient += unknowns;
   }
 
   // Column k of `forces` acts on vertex k+1 of the element, minus their sum on vertex 0.
@@ -391,7 +420,8 @@ private:
 
   // weight * (B^T H B) of one element, with B the map from its vertices' displacements to dJ. Rows sum to zero, so the blocks of
   // vertex 0 follow from the others.
-  Element_blocks form_blocks(double weight, const Matrix<D>& U, const Matrix<D>& hats, const Increment_form<D>& form) const
+  Element_blocks form_blocks(const Element& element, double weight, const Matrix<D>& U, const Matrix<D>& hats,
+                             const Increment_form<D>& form) const
   {
     Element_blocks blocks;
     blocks[0][0].setZero();
@@ -411,6 +441,7 @@ private:
     if constexpr(Clamps_element_matrices<Preconditioner>::value)
       if(m_preconditioner.clamps_element_matrices)
         clamp(blocks);
+    project(element, blocks);
     return blocks;
   }
 
@@ -418,7 +449,38 @@ private:
   {
     const Matrix<D>& rest_inverse = reference.rest_inverse(m_domain, e);
     const Evaluation at_x = evaluate(rest_inverse, x, e);
-    return form_blocks(reference.weight(m_domain, e), at_x.svd.U, at_x.svd.V.transpose() * rest_inverse.transpose(), form(at_x.state));
+    return form_blocks(m_domain.elements[e], reference.weight(m_domain, e), at_x.svd.U, at_x.svd.V.transpose() * rest_inverse.transpose(),
+                       form(at_x.state));
+  }
+
+  const Matrix<D>& projection(std::int32_t v) const { return m_projections[m_projection_of[v]]; }
+
+  // Of all unknowns.
+  void project(Eigen::VectorXd& unknowns) const
+  {
+    if(m_projections.empty())
+      return;
+    m_unknowns.for_each([&](std::int32_t v, std::int32_t number) {
+      if(slides(v))
+        unknowns.template segment<D>(D * std::int64_t(number)) = projection(v) * unknowns.template segment<D>(D * std::int64_t(number));
+    });
+  }
+
+  // Restricts an element's matrix to the directions in which its vertices move. Across them a part of its diagonal remains, so that
+  // the matrix of all elements stays positive definite.
+  void project(const Element& element, Element_blocks& blocks) const
+  {
+    if(m_projections.empty())
+      return;
+    for(int a = 0; a <= D; ++a)
+      if(slides(element[a])) {
+        const Matrix<D>& P = projection(element[a]);
+        for(int b = 0; b < a; ++b)
+          blocks[b][a] = (blocks[b][a] * P).eval();
+        for(int b = a + 1; b <= D; ++b)
+          blocks[a][b] = (P * blocks[a][b]).eval();
+        blocks[a][a] = (P * blocks[a][a] * P + blocks[a][a].trace() / D * (Matrix<D>::Identity() - P)).eval();
+      }
   }
 
   // Adds the blocks of one element to the matrix.
@@ -457,6 +519,8 @@ private:
   const Preconditioner& m_preconditioner;
   Element_coloring m_schedule;
   Unknowns m_unknowns;
+  std::vector<std::int32_t> m_projection_of; // of each vertex, if it slides; empty if none does
+  std::vector<Matrix<D>> m_projections;
   std::vector<std::shared_ptr<const Objective_term<D>>> m_terms;
   bool m_terms_keep_to_stencils = true;
   Block_sparse_matrix m_matrix;
