@@ -24,7 +24,7 @@ namespace Flip_free_maps {
 /// when a factorization needs more than 30000 operations per entry of the matrix, which a cube reaches at some 60000 tetrahedra
 /// and a bar five times as long as wide at some 125000. Where the two change places depends on the problem, too: with hard
 /// handles a cube of 48000 tetrahedra takes a third of the direct solver's time already, a thin solid of 36000 nearly four times as much.
-/// With `Petsc_multigrid` it is 10000 operations, and a bar of 45000 tetrahedra.
+/// With `Petsc_multigrid` it is 10000 operations, and such a bar of 40000 tetrahedra.
 /// The size of the factor and the operations are known after the analysis of the pattern, before memory is taken. When conjugate
 /// gradients do not converge, the direct solver takes over from the next matrix on, if its factor fits.
 ///

@@ -25,8 +25,8 @@ namespace internal {
 static_assert(std::is_same<PetscScalar, double>::value, "a PETSc with real numbers of double precision is needed");
 
 // PETSc is called only while one of these lives: one at a time, since PETSc may not be called by two threads at once. The first one
-// initialises PETSc, and MPI if need be, unless the program has; what was initialised here is finalised when the program ends. No
-// signal is caught, and no error printed.
+// initialises PETSc, and MPI if need be, unless the program has; what was initialised here is finalised when the program ends.
+// PETSc catches no signal then, and prints no error.
 class Petsc_scope
 {
 public:
@@ -35,8 +35,8 @@ public:
   Petsc_scope(const Petsc_scope&) = delete;
   Petsc_scope& operator=(const Petsc_scope&) = delete;
 
-  // Whether PETSc may be called: it may not before it could be initialised, nor after it was finalised.
-  static bool is_ready() { return PetscInitializeCalled && !PetscFinalizeCalled; }
+  // Whether PETSc may be called: it may not before it could be initialised, nor after it, or MPI, was finalised.
+  static bool is_ready();
 
 private:
   struct Session

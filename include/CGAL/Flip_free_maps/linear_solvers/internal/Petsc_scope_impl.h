@@ -27,6 +27,12 @@ CGAL_FLIP_FREE_MAPS_INLINE Petsc_scope::Petsc_scope() : m_lock(mutex())
 
 CGAL_FLIP_FREE_MAPS_INLINE Petsc_scope::~Petsc_scope() { static_cast<void>(PetscPopErrorHandler()); }
 
+CGAL_FLIP_FREE_MAPS_INLINE bool Petsc_scope::is_ready()
+{
+  int mpi_is_over = 0;
+  return PetscInitializeCalled && !PetscFinalizeCalled && MPI_Finalized(&mpi_is_over) == MPI_SUCCESS && mpi_is_over == 0;
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE Petsc_scope::Session::Session()
 {
   int mpi_is_over = 0;
@@ -34,16 +40,16 @@ CGAL_FLIP_FREE_MAPS_INLINE Petsc_scope::Session::Session()
   if(PetscInitializeCalled || PetscFinalizeCalled || mpi_is_over != 0)
     return;
   PETSC_MPI_THREAD_REQUIRED = MPI_THREAD_SERIALIZED;
-  is_ours = PetscInitializeNoArguments() == 0;
+  // Handlers that were set before would be lost, even if those of PETSc were removed again.
+  const char* const option = "-no_signal_handler";
+  is_ours = PetscOptionsSetValue(nullptr, option, nullptr) == 0 && PetscInitializeNoArguments() == 0;
   if(is_ours)
-    static_cast<void>(PetscPopSignalHandler());
+    static_cast<void>(PetscOptionsClearValue(nullptr, option));
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE Petsc_scope::Session::~Session()
 {
-  int mpi_is_over = 0;
-  MPI_Finalized(&mpi_is_over);
-  if(is_ours && is_ready() && mpi_is_over == 0)
+  if(is_ours && is_ready())
     static_cast<void>(PetscFinalize());
 }
 
