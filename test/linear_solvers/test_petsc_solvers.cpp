@@ -54,6 +54,50 @@ typedef FFM::Cholmod_solver Direct_solver;
 typedef FFM::Eigen_simplicial_solver Direct_solver;
 #endif
 
+// The stiffness of an elastic strip of unit width in the plane, of which one end is held.
+struct Planar_system
+{
+  FFM::Block_sparse_matrix matrix;
+  Eigen::VectorXd positions, right;
+
+  Planar_system(int rows, int length)
+  {
+    const Surface surface = grid(rows * length, rows, [length](double u, double v) { return Eigen::Vector3d(length * u, v, 0); });
+    std::vector<std::int32_t> number(surface.points.size(), -1);
+    std::int32_t unknowns = 0;
+    std::vector<double> coordinates;
+    for(std::size_t v = 0; v < surface.points.size(); ++v)
+      if(surface.points[v][0] > 0) {
+        number[v] = unknowns++;
+        coordinates.insert(coordinates.end(), {surface.points[v][0], surface.points[v][1]});
+      }
+    positions = Eigen::Map<Eigen::VectorXd>(coordinates.data(), coordinates.size());
+    std::vector<std::array<std::int32_t, 3>> stencils;
+    for(const auto& t : surface.triangles)
+      stencils.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    matrix.build_pattern(unknowns, 2, stencils);
+    for(std::size_t e = 0; e < stencils.size(); ++e) {
+      const auto& t = surface.triangles[e];
+      Eigen::Matrix2d edges;
+      for(int k = 0; k < 2; ++k)
+        edges.col(k) = (surface.points[t[k + 1]] - surface.points[t[0]]).head<2>();
+      Eigen::Matrix<double, 2, 3> gradients;
+      gradients.rightCols<2>() = edges.inverse().transpose();
+      gradients.col(0) = -gradients.rightCols<2>().rowwise().sum();
+      const auto& v = stencils[e];
+      for(int k = 0; k < 3; ++k)
+        for(int l = k; l < 3; ++l) {
+          if(v[k] < 0 || v[l] < 0)
+            continue;
+          const Eigen::Vector2d g = gradients.col(k), h = gradients.col(l);
+          const Eigen::Matrix2d block = g.dot(h) * Eigen::Matrix2d::Identity() + 4 * g * h.transpose() + h * g.transpose();
+          matrix.add_block(v[k], v[l], matrix.slot(v[k], v[l]), Eigen::Matrix2d(0.5 * edges.determinant() * block));
+        }
+    }
+    right = Random(83).vector(static_cast<int>(matrix.rows()));
+  }
+};
+
 // The stiffness of an elastic bar of which one end is held, or, with one row per vertex, its Laplacian.
 struct System
 {
@@ -111,13 +155,14 @@ Eigen::VectorXd product(const FFM::Block_sparse_matrix& matrix, const Eigen::Vec
   return matrix.lower().selfadjointView<Eigen::Lower>() * x;
 }
 
-double residual(const System& system, const Eigen::VectorXd& x)
+template <typename AnySystem>
+double residual(const AnySystem& system, const Eigen::VectorXd& x)
 {
   return (product(system.matrix, x) - system.right).norm() / system.right.norm();
 }
 
-template <typename Solver>
-int iterations(const System& system, bool with_positions)
+template <typename Solver, typename AnySystem>
+int iterations(const AnySystem& system, bool with_positions)
 {
   Solver solver(1e-6);
   BOOST_TEST_REQUIRE(solver.analyze_pattern(system.matrix));
@@ -197,6 +242,9 @@ BOOST_AUTO_TEST_CASE(positions_give_the_rotations, *boost::unit_test::label("nee
 {
   const System system(5, 60);
   BOOST_TEST(iterations<Multigrid_solver>(system, true) < 0.7 * iterations<Multigrid_solver>(system, false));
+  const Planar_system planar(12, 20);
+  BOOST_TEST(iterations<Multigrid_solver>(planar, true) < 0.7 * iterations<Multigrid_solver>(planar, false));
+  BOOST_TEST(1. * iterations<Multigrid_solver>(Planar_system(24, 20), true) < 1.5 * iterations<Multigrid_solver>(planar, true));
 }
 
 BOOST_AUTO_TEST_CASE(mumps_is_as_exact_as_another_direct_solver, *boost::unit_test::label("needs_petsc"))
