@@ -2,9 +2,10 @@
 # optional libraries, which are looked for here. Included by the build of the package and by its installed configuration
 # file, so that both decide alike.
 #
-# Reads     FLIP_FREE_MAPS_WITH_CHOLMOD, FLIP_FREE_MAPS_WITH_TBB, FLIP_FREE_MAPS_WITH_TETGEN
+# Reads     FLIP_FREE_MAPS_WITH_CHOLMOD, FLIP_FREE_MAPS_WITH_TBB, FLIP_FREE_MAPS_WITH_TETGEN, FLIP_FREE_MAPS_WITH_PETSC
 # Creates   CGAL::Eigen3_support and Flip_free_maps::dependencies, the sum of all
-# Sets      FLIP_FREE_MAPS_CHOLMOD_STATUS, FLIP_FREE_MAPS_TBB_STATUS, FLIP_FREE_MAPS_TETGEN_STATUS (text for the user)
+# Sets      FLIP_FREE_MAPS_CHOLMOD_STATUS, FLIP_FREE_MAPS_TBB_STATUS, FLIP_FREE_MAPS_TETGEN_STATUS,
+#           FLIP_FREE_MAPS_PETSC_STATUS (text for the user)
 
 include(CGAL_Eigen3_support)
 if(NOT TARGET CGAL::Eigen3_support)
@@ -79,4 +80,31 @@ if(FLIP_FREE_MAPS_WITH_TETGEN)
   endif()
 else()
   set(FLIP_FREE_MAPS_TETGEN_STATUS "switched off, closed surfaces are filled by Mesh_3 only")
+endif()
+
+# PETSc, real and of double precision. It is there only for who asks for it, since it changes the default solver of large solids.
+if(FLIP_FREE_MAPS_WITH_PETSC)
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(FLIP_FREE_MAPS_PC_PETSC QUIET PETSc>=3.18)
+  endif()
+  find_path(FLIP_FREE_MAPS_PETSC_INCLUDE_DIR petscksp.h HINTS ${FLIP_FREE_MAPS_PC_PETSC_INCLUDE_DIRS} PATH_SUFFIXES petsc)
+  find_library(FLIP_FREE_MAPS_PETSC_LIBRARY NAMES petsc_real petsc NAMES_PER_DIR HINTS ${FLIP_FREE_MAPS_PC_PETSC_LIBRARY_DIRS})
+  find_package(MPI QUIET COMPONENTS CXX)
+  mark_as_advanced(FLIP_FREE_MAPS_PETSC_INCLUDE_DIR FLIP_FREE_MAPS_PETSC_LIBRARY)
+  if(NOT FLIP_FREE_MAPS_PETSC_INCLUDE_DIR OR NOT FLIP_FREE_MAPS_PETSC_LIBRARY OR NOT MPI_CXX_FOUND)
+    message(FATAL_ERROR "FLIP_FREE_MAPS_WITH_PETSC is on, but PETSc 3.18 or later with its MPI was not found (Debian: libpetsc-real-dev).")
+  endif()
+  if(FLIP_FREE_MAPS_DEPENDENCIES_ARE_NEW)
+    add_library(Flip_free_maps::PETSc UNKNOWN IMPORTED)
+    set_target_properties(Flip_free_maps::PETSc PROPERTIES
+      IMPORTED_LOCATION "${FLIP_FREE_MAPS_PETSC_LIBRARY}"
+      INTERFACE_INCLUDE_DIRECTORIES "${FLIP_FREE_MAPS_PETSC_INCLUDE_DIR}"
+      INTERFACE_COMPILE_DEFINITIONS CGAL_FLIP_FREE_MAPS_USE_PETSC
+      INTERFACE_LINK_LIBRARIES MPI::MPI_CXX)
+    target_link_libraries(Flip_free_maps::dependencies INTERFACE Flip_free_maps::PETSc)
+  endif()
+  set(FLIP_FREE_MAPS_PETSC_STATUS "found, ${FLIP_FREE_MAPS_PETSC_LIBRARY}")
+else()
+  set(FLIP_FREE_MAPS_PETSC_STATUS "not asked for, conjugate gradients are preconditioned without it")
 endif()

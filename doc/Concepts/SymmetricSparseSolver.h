@@ -26,6 +26,8 @@ tries others with a larger diagonal.
 \cgalHasModels{CGAL::Flip_free_maps::Conjugate_gradient_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Eigen_simplicial_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Incomplete_cholesky}
+\cgalHasModels{CGAL::Flip_free_maps::Petsc_direct_solver}
+\cgalHasModels{CGAL::Flip_free_maps::Petsc_multigrid}
 \cgalHasModels{CGAL::Flip_free_maps::Sparse_linear_algebra_solver}
 \cgalHasModelsEnd
 
@@ -59,4 +61,14 @@ public:
 
   /// Optional: iterations of the last solve, for reports of iterative solvers.
   int iterations() const;
+
+  /// Optional, with `set_positions()`: a constant that is known at compile time. `false` is as if there were neither. One without
+  /// the other is an error.
+  static constexpr bool takes_positions = true;
+
+  /// Optional, for solvers that know what moves without effort: before each factorization it receives the positions of the vertices
+  /// that are unknowns, in the order of the matrix' rows, in the map that the matrix is made for. The Killing operator and
+  /// the Hessians of distortion, which have a row for each coordinate, nearly vanish on the rigid motions of that map. It is not
+  /// called for other matrices, such as those of a start.
+  void set_positions(const Eigen::VectorXd& positions);
 };

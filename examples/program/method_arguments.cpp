@@ -8,8 +8,27 @@
 #include "method_arguments.h"
 
 #include <cmath>
+#include <string>
 
 namespace program {
+
+namespace {
+
+// PETSc is no part of most programs, and its solvers are asked for by name.
+void refuse_without_petsc([[maybe_unused]] CLI::Option* option)
+{
+#ifndef CGAL_FLIP_FREE_MAPS_USE_PETSC
+  option->check(
+    [](const std::string& name) {
+      return name == "petsc-gamg" || name == "petsc-mumps"
+               ? "this program was built without PETSc, which is switched on by -DFLIP_FREE_MAPS_WITH_PETSC=ON"
+               : "";
+    },
+    "");
+#endif
+}
+
+} // namespace
 
 void add_method_options(CLI::App& command, Method_arguments& arguments)
 {
@@ -48,11 +67,11 @@ void add_method_options(CLI::App& command, Method_arguments& arguments)
                 "with the last factorization, for high accuracy with few factorizations")
     ->check(CLI::IsMember(acceleration_names()))
     ->capture_default_str();
-  command
-    .add_option("--linear-solver", arguments.linear_solver,
-                "by default direct while the factor fits into memory, conjugate gradients (cg) beyond")
-    ->check(CLI::IsMember(linear_solver_names()))
-    ->capture_default_str();
+  CLI::Option* linear_solver =
+    command.add_option("--linear-solver", arguments.linear_solver,
+                       "by default direct while the factor fits into memory, conjugate gradients (cg, petsc-gamg) beyond");
+  refuse_without_petsc(linear_solver);
+  linear_solver->check(CLI::IsMember(linear_solver_names()))->capture_default_str();
   command.add_option("--memory-budget", arguments.memory_budget, "GiB that the factor may take; 0: half of the memory")
     ->check(CLI::NonNegativeNumber);
   command.add_option("--trace", arguments.trace, "write a CSV row per iteration");

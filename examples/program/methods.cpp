@@ -17,6 +17,10 @@
 #include <CGAL/Flip_free_maps/energies/Neo_hookean.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_arap.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+#include <CGAL/Flip_free_maps/linear_solvers/Petsc_direct_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Petsc_multigrid.h>
+#endif
 
 #include <CGAL/number_type_config.h>
 
@@ -116,6 +120,10 @@ std::vector<std::string> linear_solver_names()
   solvers.push_back("cholmod");
 #endif
   solvers.push_back("cg");
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+  solvers.push_back("petsc-gamg");
+  solvers.push_back("petsc-mumps");
+#endif
   return solvers;
 }
 
@@ -182,6 +190,12 @@ FFM::Any_map_traits make_traits(const Method_choice& choice)
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
   else if(choice.linear_solver == "cholmod")
     traits.use_linear_solver<FFM::Cholmod_solver>();
+#endif
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+  else if(choice.linear_solver == "petsc-gamg")
+    traits.use_linear_solver<FFM::Conjugate_gradient_solver<FFM::Petsc_multigrid>>();
+  else if(choice.linear_solver == "petsc-mumps")
+    traits.use_linear_solver<FFM::Petsc_direct_solver>();
 #endif
   return traits;
 }

@@ -17,10 +17,13 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Automatic_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Incomplete_cholesky.h>
+#include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <Eigen/Cholesky>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -104,6 +107,35 @@ void check(const System<D>& system)
   BOOST_TEST_REQUIRE(inexact.solve(small, x));
   BOOST_TEST((product(system.matrix, x) - small).norm() <= 1e-6 * small.norm());
 }
+
+// Remembers what it is told.
+class Listening_preconditioner : public FFM::Incomplete_cholesky
+{
+public:
+  static constexpr bool takes_positions = true;
+
+  void set_positions(const Eigen::VectorXd& positions) { told().push_back(positions); }
+
+  bool factorize(const FFM::Block_sparse_matrix& matrix)
+  {
+    ++factorizations();
+    BOOST_TEST_REQUIRE(told().size() == factorizations());
+    BOOST_TEST(told().back().size() == matrix.rows());
+    return FFM::Incomplete_cholesky::factorize(matrix);
+  }
+
+  static std::vector<Eigen::VectorXd>& told()
+  {
+    static std::vector<Eigen::VectorXd> all;
+    return all;
+  }
+
+  static std::size_t& factorizations()
+  {
+    static std::size_t number = 0;
+    return number;
+  }
+};
 
 } // namespace
 
@@ -209,6 +241,29 @@ BOOST_AUTO_TEST_CASE(maps_without_memory_for_a_factor, *boost::unit_test::label(
 
   traits.options.memory_budget = -1;
   BOOST_TEST(FFM::status_name(FFM::Map_minimizer<2>(domain, traits).minimize(x).status) == FFM::status_name(FFM::Status::invalid_option));
+}
+// Through all layers, before each factorization.
+BOOST_AUTO_TEST_CASE(preconditioners_are_told_the_map, *boost::unit_test::label("needs_cholmod"))
+{
+  const FFM::Simplicial_domain<2> domain = make_domain(bumpy_patch(12, 9));
+  FFM::Any_map_traits traits;
+  traits.use_method("projected-newton+");
+  traits.options.memory_budget = 1;
+  FFM::Positions<2> start;
+  std::string name, message;
+  BOOST_TEST_REQUIRE((FFM::internal::make_start(domain, traits, start, name, message) == FFM::Status::success));
+  traits.use_linear_solver<FFM::Automatic_solver<FFM::Cholmod_solver, FFM::Conjugate_gradient_solver<Listening_preconditioner>>>();
+  Listening_preconditioner::told().clear();
+  Listening_preconditioner::factorizations() = 0;
+  FFM::Position_constraints<2> constraints;
+  constraints.fixed_vertices = {0};
+  FFM::Positions<2> x = start;
+  const FFM::Summary summary = FFM::Map_minimizer<2, FFM::Any_map_traits>(domain, traits, constraints).minimize(x);
+  BOOST_TEST(summary.converged());
+  BOOST_TEST_REQUIRE(Listening_preconditioner::told().size() >= 2u);
+  const Eigen::VectorXd begin = Eigen::Map<const Eigen::VectorXd>(start.data() + 2, start.size() - 2);
+  BOOST_TEST((Listening_preconditioner::told().front() - begin).norm() == 0);
+  BOOST_TEST((Listening_preconditioner::told().back() - begin).norm() > 1e-3);
 }
 #else
 BOOST_AUTO_TEST_CASE(budgets, *boost::unit_test::label("needs_cholmod")) { skip_case("built without CHOLMOD"); }

@@ -5,7 +5,7 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Types that lack one requirement of a concept each. With REJECTED_MODEL from 1 to 13 this file must not compile; with 0 it must.
+// Types that lack one requirement of a concept each. With REJECTED_MODEL from 1 to 15 this file must not compile; with 0 it must.
 
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/method/concepts.h>
@@ -160,6 +160,22 @@ private:
   using Traits::Minimizer;
 };
 BOOST_CONCEPT_ASSERT((FFM::MapTraitsConcept<No_minimizer, 2>));
+
+#elif REJECTED_MODEL == 14 // the solver would never be told the positions
+struct Solver : FFM::Eigen_simplicial_solver
+{
+  static constexpr bool takes_positions = true;
+  void set_position(const Eigen::VectorXd&) {}
+};
+BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<Solver>));
+
+#elif REJECTED_MODEL == 15 // nor would this one
+struct Solver : FFM::Eigen_simplicial_solver
+{
+  static constexpr bool takes_position = true;
+  void set_positions(const Eigen::VectorXd&) {}
+};
+BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<Solver>));
 
 #else
 #error "there is no such model"

@@ -17,6 +17,8 @@
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Incomplete_cholesky.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Petsc_direct_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Petsc_multigrid.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Sparse_linear_algebra_solver.h>
 #include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #include <CGAL/Flip_free_maps/method/concepts.h>
@@ -401,6 +403,12 @@ BOOST_AUTO_TEST_CASE(models)
   BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Sparse_linear_algebra_solver<CGAL::Eigen_solver_traits<>>>));
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
   BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Cholmod_solver>));
+#endif
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Any_linear_solver>));
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Petsc_direct_solver>));
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Petsc_multigrid>));
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Conjugate_gradient_solver<FFM::Petsc_multigrid>>));
 #endif
 
   using Make_linear_solver = FFM::Eigen_simplicial_solver (*)();

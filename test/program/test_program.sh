@@ -348,6 +348,16 @@ if "$program" parameterize --help | grep -q 'eigen,cholmod\|cholmod'; then
   check "cholmod finds the same energy" close "$(value s.json energy)" "$energy" 1e-6
   check "cholmod is used" grep -q '"linear_solver": "cholmod' s.json
 fi
+if "$program" parameterize --help | grep -q 'petsc-mumps'; then
+  for solver in petsc-gamg petsc-mumps; do
+    expect 0 parameterize sheet.off --json s.json --linear-solver $solver
+    check "$solver finds the same energy" close "$(value s.json energy)" "$energy" 1e-6
+  done
+  check "mumps is used" grep -q '"linear_solver": "mumps' s.json
+else
+  expect 2 parameterize sheet.off --linear-solver petsc-gamg
+  check "the option that is missing is named" grep -q "FLIP_FREE_MAPS_WITH_PETSC" err.txt
+fi
 for border in circle square triangle octagon; do
   for weights in uniform mean-value cotangent; do
     expect 0 parameterize sheet.off --json b.json --border $border --weights $weights

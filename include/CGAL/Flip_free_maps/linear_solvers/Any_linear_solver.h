@@ -25,6 +25,8 @@ namespace Flip_free_maps {
 class Any_linear_solver
 {
 public:
+  static constexpr bool takes_positions = true; ///< for the solvers that take them
+
   /// Holds a new solver of the given type: `Any_linear_solver::make<Eigen_simplicial_solver>()`. It may use `memory_budget` bytes
   /// if it takes such a budget.
   template <typename Solver>
@@ -39,6 +41,8 @@ public:
   std::string ordering() const { return m_solver->ordering(); }
   /// Passed on.
   bool analyze_pattern(const Block_sparse_matrix& matrix) { return m_solver->analyze_pattern(matrix); }
+  /// Passed on to a solver that takes them.
+  void set_positions(const Eigen::VectorXd& positions) { m_solver->set_positions(positions); }
   /// Passed on.
   bool factorize(const Block_sparse_matrix& matrix) { return m_solver->factorize(matrix); }
   /// Passed on.
@@ -55,6 +59,7 @@ private:
     virtual std::string name() const = 0;
     virtual std::string ordering() const = 0;
     virtual bool analyze_pattern(const Block_sparse_matrix& matrix) = 0;
+    virtual void set_positions(const Eigen::VectorXd& positions) = 0;
     virtual bool factorize(const Block_sparse_matrix& matrix) = 0;
     virtual bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) = 0;
     virtual std::int64_t factor_entries() const = 0;
@@ -69,6 +74,10 @@ private:
     std::string name() const override { return solver.name(); }
     std::string ordering() const override { return solver.ordering(); }
     bool analyze_pattern(const Block_sparse_matrix& matrix) override { return solver.analyze_pattern(matrix); }
+    void set_positions(const Eigen::VectorXd& positions) override
+    {
+      internal::give_positions(solver, [&]() -> const Eigen::VectorXd& { return positions; });
+    }
     bool factorize(const Block_sparse_matrix& matrix) override { return solver.factorize(matrix); }
     bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) override { return solver.solve(b, x); }
     std::int64_t factor_entries() const override { return solver.factor_entries(); }

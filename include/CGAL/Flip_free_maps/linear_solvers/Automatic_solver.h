@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/internal/memory.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/linear_solver_traits.h>
 
 #include <cstdint>
 #include <memory>
@@ -23,18 +24,21 @@ namespace Flip_free_maps {
 /// when a factorization needs more than 30000 operations per entry of the matrix, which a cube reaches at some 60000 tetrahedra
 /// and a bar five times as long as wide at some 125000. Where the two change places depends on the problem, too: with hard
 /// handles a cube of 48000 tetrahedra takes a third of the direct solver's time already, a thin solid of 36000 nearly four times as much.
+/// With `Petsc_multigrid` it is 10000 operations, and such a bar of 40000 tetrahedra.
 /// The size of the factor and the operations are known after the analysis of the pattern, before memory is taken. When conjugate
 /// gradients do not converge, the direct solver takes over from the next matrix on, if its factor fits.
 ///
 /// \tparam DirectSolver must be a model of `SymmetricSparseSolver` with a member `factor_operations()`, which like
 ///   `factor_entries()` is known after the analysis
+/// \tparam IterativeSolver must be a `Conjugate_gradient_solver`
 ///
 /// \cgalModels{SymmetricSparseSolver}
-template <typename DirectSolver>
+template <typename DirectSolver, typename IterativeSolver = Conjugate_gradient_solver<>>
 class Automatic_solver
 {
 public:
-  static constexpr bool takes_memory_budget = true; ///< by its constructor
+  static constexpr bool takes_memory_budget = true;                                          ///< by its constructor
+  static constexpr bool takes_positions = internal::Takes_positions<IterativeSolver>::value; ///< for the iterative solver
 
   /// \param memory_budget bytes for the factor; 0 stands for half of the machine's memory
   explicit Automatic_solver(double memory_budget = 0) : m_budget(memory_budget > 0 ? memory_budget : 0.5 * internal::physical_memory()) {}
@@ -46,6 +50,13 @@ public:
 
   /// Analyses the pattern for the direct solver, and chooses.
   bool analyze_pattern(const Block_sparse_matrix& matrix);
+
+  /// Passed on to an iterative solver that takes them.
+  void set_positions(const Eigen::VectorXd& positions)
+  {
+    if(!m_is_direct)
+      internal::give_positions(m_iterative, [&]() -> const Eigen::VectorXd& { return positions; });
+  }
 
   /// Passed on.
   bool factorize(const Block_sparse_matrix& matrix);
@@ -62,18 +73,19 @@ public:
 private:
   // A value, and what supernodes and work space take in proportion.
   static constexpr double ENTRY_BYTES = 10;
-  static constexpr double SLOW = 3e4;
+  // Operations per entry from which the iterative solver is faster. One that knows the rigid motions is so earlier.
+  static constexpr double SLOW = takes_positions ? 1e4 : 3e4;
 
   double m_budget;
   std::unique_ptr<DirectSolver> m_direct = std::make_unique<DirectSolver>();
-  Conjugate_gradient_solver<> m_iterative;
+  IterativeSolver m_iterative;
   bool m_fits = true;
   bool m_is_direct = true;
   bool m_has_failed = false;
 };
 
-template <typename DirectSolver>
-bool Automatic_solver<DirectSolver>::analyze_pattern(const Block_sparse_matrix& matrix)
+template <typename DirectSolver, typename IterativeSolver>
+bool Automatic_solver<DirectSolver, IterativeSolver>::analyze_pattern(const Block_sparse_matrix& matrix)
 {
   m_direct = std::make_unique<DirectSolver>();
   m_fits = m_direct->analyze_pattern(matrix) && ENTRY_BYTES * static_cast<double>(m_direct->factor_entries()) <= m_budget;
@@ -87,8 +99,8 @@ bool Automatic_solver<DirectSolver>::analyze_pattern(const Block_sparse_matrix& 
   return m_iterative.analyze_pattern(matrix);
 }
 
-template <typename DirectSolver>
-bool Automatic_solver<DirectSolver>::factorize(const Block_sparse_matrix& matrix)
+template <typename DirectSolver, typename IterativeSolver>
+bool Automatic_solver<DirectSolver, IterativeSolver>::factorize(const Block_sparse_matrix& matrix)
 {
   if(!m_is_direct && m_has_failed && m_fits) {
     m_direct = std::make_unique<DirectSolver>();
@@ -98,8 +110,8 @@ bool Automatic_solver<DirectSolver>::factorize(const Block_sparse_matrix& matrix
   return m_is_direct ? m_direct->factorize(matrix) : m_iterative.factorize(matrix);
 }
 
-template <typename DirectSolver>
-bool Automatic_solver<DirectSolver>::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+template <typename DirectSolver, typename IterativeSolver>
+bool Automatic_solver<DirectSolver, IterativeSolver>::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
 {
   if(m_is_direct)
     return m_direct->solve(b, x);

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Incomplete_cholesky.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Symmetric_product.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/linear_solver_traits.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -88,7 +89,7 @@ private:
 /// steps of Newton still converge faster than linearly (the inexact Newton rule of Dembo and Steihaug).
 ///
 /// \tparam Preconditioner_ must be a model of `SymmetricSparseSolver`, of which it is only asked that it solves with some symmetric
-///   positive definite matrix: `Incomplete_cholesky` or `Block_jacobi`
+///   positive definite matrix: `Incomplete_cholesky`, `Petsc_multigrid` or `Block_jacobi`
 ///
 /// Complexity: more than half as much memory as the matrix, and the preconditioner; iterations grow with the number of vertices
 /// along the mesh and with the distortion.
@@ -98,6 +99,8 @@ template <typename Preconditioner_ = Incomplete_cholesky>
 class Conjugate_gradient_solver
 {
 public:
+  static constexpr bool takes_positions = internal::Takes_positions<Preconditioner_>::value; ///< for the preconditioner
+
   /// \param tolerance of the first solve
   /// \param max_iterations at which the last iterate is taken as it is
   explicit Conjugate_gradient_solver(double tolerance = 0.01, int max_iterations = 2000)
@@ -111,6 +114,12 @@ public:
 
   /// Copies the pattern, and has the preconditioner analyse it.
   bool analyze_pattern(const Block_sparse_matrix& matrix);
+
+  /// Passed on to a preconditioner that takes them.
+  void set_positions(const Eigen::VectorXd& positions)
+  {
+    internal::give_positions(m_preconditioner, [&]() -> const Eigen::VectorXd& { return positions; });
+  }
 
   /// Copies the matrix and prepares the preconditioner. `false` if that fails.
   bool factorize(const Block_sparse_matrix& matrix);
@@ -177,6 +186,12 @@ bool Conjugate_gradient_solver<Preconditioner_>::solve(const Eigen::VectorXd& b,
     if(!m_preconditioner.solve(m_residual, m_preconditioned))
       return false;
     const double next = m_residual.dot(m_preconditioned);
+    // A multigrid of a matrix that is not positive need not be positive itself.
+    if(!(next > 0)) {
+      if(m_iterations == 0)
+        return false;
+      break;
+    }
     if(m_iterations == 0)
       m_search = m_preconditioned;
     else

@@ -33,6 +33,9 @@ namespace Flip_free_maps {
 // As Flip_free_map_traits.
 #if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
 inline namespace with_cholmod {
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+inline namespace with_petsc {
+#endif
 #endif
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -127,6 +130,9 @@ private:
 };
 
 #if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+} // namespace with_petsc
+#endif
 } // namespace with_cholmod
 #endif
 

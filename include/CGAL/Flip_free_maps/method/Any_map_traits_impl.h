@@ -20,11 +20,7 @@ namespace Flip_free_maps {
 CGAL_FLIP_FREE_MAPS_INLINE Any_map_traits::Any_map_traits()
 {
   use_method("default");
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
-  use_linear_solver<Automatic_solver<Cholmod_solver>>();
-#else
-  use_linear_solver<Eigen_simplicial_solver>();
-#endif
+  use_linear_solver<Flip_free_map_traits<>::Linear_solver>();
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Any_map_traits::name_choices(Summary& summary) const

@@ -18,6 +18,10 @@
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 #include <CGAL/Flip_free_maps/linear_solvers/Automatic_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Cholmod_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+#include <CGAL/Flip_free_maps/linear_solvers/Petsc_multigrid.h>
+#endif
 #endif
 #include <CGAL/Flip_free_maps/linear_solvers/Eigen_simplicial_solver.h>
 #include <CGAL/Flip_free_maps/preconditioners/Adaptive_preconditioner.h>
@@ -36,12 +40,21 @@ template <int D, typename Traits>
 class Map_minimizer;
 
 #if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && defined(CGAL_FLIP_FREE_MAPS_USE_CORE)
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+extern template class Conjugate_gradient_solver<Petsc_multigrid>;
+extern template class Automatic_solver<Cholmod_solver, Conjugate_gradient_solver<Petsc_multigrid>>;
+#else
 extern template class Automatic_solver<Cholmod_solver>;
 #endif
+#endif
 
-// The default solver is part of the name: units that see CHOLMOD and units that do not are different programs to the linker.
+// The default solver is part of the name: units that see CHOLMOD, or PETSc besides, and units that do not are different programs
+// to the linker.
 #if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
 inline namespace with_cholmod {
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+inline namespace with_petsc {
+#endif
 #endif
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -54,7 +67,8 @@ inline namespace with_cholmod {
 /// \tparam Reference_ must be a model of `Reference`. <b>Default:</b> \code Fixed_reference \endcode
 /// \tparam LinearSolver_ must be a model of `SymmetricSparseSolver` and have a default constructor.
 ///         <b>Default:</b> \code Automatic_solver<Cholmod_solver> \endcode when
-///         `CGAL_FLIP_FREE_MAPS_USE_CHOLMOD` is defined, \code Eigen_simplicial_solver \endcode otherwise
+///         `CGAL_FLIP_FREE_MAPS_USE_CHOLMOD` is defined, which iterates with `Petsc_multigrid` when `CGAL_FLIP_FREE_MAPS_USE_PETSC`
+///         is defined, too; \code Eigen_simplicial_solver \endcode otherwise
 /// \tparam Acceleration_ must be a model of `Acceleration`. <b>Default:</b> \code Lbfgs \endcode
 /// \tparam RefactorizationRule_ must be a model of `RefactorizationRule`. <b>Default:</b> \code On_demand \endcode
 /// \tparam ConcurrencyTag_ whether elements are processed in parallel: `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
@@ -74,7 +88,9 @@ template <typename Kernel_ = CGAL::Default, typename Energy_ = CGAL::Default, ty
           typename RefactorizationRule_ = CGAL::Default, typename ConcurrencyTag_ = CGAL::Default>
 class Flip_free_map_traits
 {
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+#if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && defined(CGAL_FLIP_FREE_MAPS_USE_PETSC)
+  using Default_linear_solver = Automatic_solver<Cholmod_solver, Conjugate_gradient_solver<Petsc_multigrid>>;
+#elif defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD)
   using Default_linear_solver = Automatic_solver<Cholmod_solver>;
 #else
   using Default_linear_solver = Eigen_simplicial_solver;
@@ -142,6 +158,9 @@ public:
 };
 
 #if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && !defined(DOXYGEN_RUNNING)
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+} // namespace with_petsc
+#endif
 } // namespace with_cholmod
 #endif
 

@@ -202,6 +202,10 @@ struct SymmetricSparseSolverConcept
       "SymmetricSparseSolver: solve(b, x) must return whether it succeeded");
     static_assert(gives<std::int64_t, const Solver&>([](auto& s) -> decltype(s.factor_entries()) {}),
                   "SymmetricSparseSolver: factor_entries() const must return the number of entries of the factor");
+    // One without the other is a slip of the pen, which would leave the member uncalled.
+    static_assert(gives<bool, const Solver&>([](auto& s) -> std::bool_constant<std::decay_t<decltype(s)>::takes_positions> {}) ==
+                    gives<void, Solver&, const Eigen::VectorXd&>([](auto& s, auto& x) -> decltype(s.set_positions(x)) {}),
+                  "SymmetricSparseSolver: takes_positions and set_positions(positions) are there both, or neither");
   }
   /// \endcond
 };

@@ -21,7 +21,10 @@
 namespace CGAL {
 namespace Flip_free_maps {
 
-#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+#if defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD) && defined(CGAL_FLIP_FREE_MAPS_USE_PETSC)
+template class Conjugate_gradient_solver<Petsc_multigrid>;
+template class Automatic_solver<Cholmod_solver, Conjugate_gradient_solver<Petsc_multigrid>>;
+#elif defined(CGAL_FLIP_FREE_MAPS_USE_CHOLMOD)
 template class Automatic_solver<Cholmod_solver>;
 #endif
 template class Conjugate_gradient_solver<Incomplete_cholesky>;

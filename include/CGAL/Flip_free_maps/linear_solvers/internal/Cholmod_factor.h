@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_CHOLMOD_FACTOR_H
 
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Single_thread.h>
 
 #include <Eigen/Core>
 
@@ -20,52 +21,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
-
-// CHOLMOD starts threads of OpenMP for small loops inside a factorization, and OpenBLAS threads of its own for small products:
-// on large meshes, waiting for them costs more than they bring, and sums of BLAS would depend on their number. Both libraries
-// are looked up at run time, because which ones serve CHOLMOD is only known then.
-class Single_thread
-{
-public:
-  Single_thread();
-  ~Single_thread();
-  Single_thread(const Single_thread&) = delete;
-  Single_thread& operator=(const Single_thread&) = delete;
-
-private:
-  // A number that some library keeps.
-  struct Setting
-  {
-    void (*set)(int) = nullptr;
-    int (*get)() = nullptr;
-
-    Setting(const char* setter, const char* getter);
-
-    // Sets the value; the result is the one before.
-    int exchange(int value) const;
-  };
-
-  // Each thread has its own.
-  static const Setting& openmp();
-
-  // One for the process, so the last of several users restores it.
-  static const Setting& blas();
-  struct Use
-  {
-    std::mutex mutex;
-    int users = 0;
-    int threads_before = 1;
-  };
-  static Use& blas_use();
-
-  int m_openmp_before;
-};
 
 // A function of the BLAS that serves CHOLMOD, null where it cannot be found.
 template <typename Function>

@@ -52,6 +52,25 @@ Solver make_solver(double memory_budget)
     return Solver();
 }
 
+template <typename Solver, typename = void>
+struct Takes_positions : std::false_type
+{};
+
+template <typename Solver>
+struct Takes_positions<Solver, std::enable_if_t<Solver::takes_positions>> : std::true_type
+{};
+
+// Tells a solver the positions of the unknown vertices in the map that its next matrix is made for, if it wants to know:
+// `positions()` returns the vector of them, and is not called otherwise.
+template <typename Solver, typename F>
+void give_positions(Solver& solver, F&& positions)
+{
+  static_cast<void>(solver);
+  static_cast<void>(positions);
+  if constexpr(Takes_positions<Solver>::value)
+    solver.set_positions(positions());
+}
+
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL

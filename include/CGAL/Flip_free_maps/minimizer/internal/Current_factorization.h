@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Robust_solver.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/linear_solver_traits.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Map_objective.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Minimizer_run.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Renewed_factorization.h>
@@ -99,6 +100,10 @@ public:
     m_age = 0;
     m_map = run.x;
     m_renewed.clear();
+    give_positions(m_linear_solver, [&]() -> const Eigen::VectorXd& {
+      m_objective.gather(run.x, run.unknowns);
+      return run.unknowns;
+    });
     finish_matrix(run);
     if(can_retreat(m_traits.preconditioner)) {
       if(m_solver.try_to_factorize(m_objective.matrix()))
