@@ -13,6 +13,7 @@
 #include "program/formats/gltf/Gltf_document.h"
 #include "program/formats/gltf/Gltf_surface.h"
 
+#include <numeric>
 #include <utility>
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -24,6 +25,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     surface.text = text;
     program::read_gltf(path, text, true, surface);
     program::gltf_scene(surface, surface.images);
+    // Writing takes a thousand times as long, since a checkerboard goes into the file.
+    if(std::accumulate(data, data + size, 0u) % 16 != 0)
+      return 0;
 
     program::Corner_images images;
     for(std::size_t i = 0; i < surface.polygons.size(); ++i)
