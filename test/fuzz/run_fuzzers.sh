@@ -46,8 +46,8 @@ printf "$row" target runs edges features result
 for target in "${targets[@]}"; do
   log="$build_dir/$target.log"
   result="no fault"
-  (cd -- "$work" && TMPDIR="$work" "$bin/fuzz_$target" -max_total_time="$seconds" -rss_limit_mb=1024 -timeout=10 -print_final_stats=1 \
-     -close_fd_mask=1 -artifact_prefix="$build_dir/artifacts/$target-" "$build_dir/corpus/$target") > "$log" 2>&1 || result="FAULT"
+  (cd -- "$work" && TMPDIR="$work" "$bin/fuzz_$target" -max_total_time="$seconds" -max_len=16384 -rss_limit_mb=1024 -timeout=10 \
+     -print_final_stats=1 -close_fd_mask=1 -artifact_prefix="$build_dir/artifacts/$target-" "$build_dir/corpus/$target") > "$log" 2>&1 || result="FAULT"
   if [[ "$result" != "no fault" ]]; then
     status=1
     reason="$(grep -m 1 -oE 'runtime error: .*|ERROR: [A-Za-z]*Sanitizer: .*|ERROR: libFuzzer: .*|^wrong: .*' "$log" || true)"
