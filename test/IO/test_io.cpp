@@ -795,6 +795,11 @@ BOOST_AUTO_TEST_CASE(numbers_by_streams)
         BOOST_TEST((streamed == converted));
         if(converted == std::errc() && !std::isnan(by_charconv))
           BOOST_TEST(by_stream == by_charconv);
+        float single_by_stream = -7, single_by_charconv = -7;
+        const std::errc single_converted = parse_by_charconv(word, single_by_charconv);
+        BOOST_TEST((parse_by_stream(word, single_by_stream) == single_converted));
+        if(single_converted == std::errc() && !std::isnan(single_by_charconv))
+          BOOST_TEST(single_by_stream == single_by_charconv);
       }
     }
 }

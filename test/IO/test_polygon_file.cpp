@@ -246,6 +246,11 @@ BOOST_AUTO_TEST_CASE(PLY_broken_files)
   BOOST_TEST(is_refused(begin + "element vertex 1\nproperty half x\nend_header\n0\n", "ply", "unknown"));
   BOOST_TEST(is_refused(begin + "element vertex 1\nproperty float x\nend_header\n0\n", "ply", "x, y and z"));
   BOOST_TEST(is_refused(begin + "element vertex 1\n" + xyz, "ply", "does not end"));
+  // What is there twice would be written back into one of both places.
+  const std::string twice = "element vertex 1\n" + xyz;
+  BOOST_TEST(is_refused(begin + twice + twice + "end_header\n0 0 0\n0 0 0\n", "ply", "line 7: there is a second element"));
+  BOOST_TEST(is_refused(begin + twice + xyz + "end_header\n0 0 0 1 1 1\n", "ply", "two coordinates x"));
+  BOOST_TEST(is_refused(begin + "format binary_big_endian 1.0\n" + twice + "end_header\n", "ply", "line 3: the header names a second"));
   BOOST_TEST(is_refused(begin + "element vertex 4000000000\n" + xyz + "end_header\n0 0 0\n", "ply", "ends too early"));
   BOOST_TEST(is_refused(begin + "element vertex 1\n" + xyz + "end_header\n0 0,5 0\n", "ply", "line 8: '0,5' is not a number"));
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";

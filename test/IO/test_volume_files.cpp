@@ -122,7 +122,7 @@ program::Volume_file file_with_arrays()
   const std::size_t n = file.points.size();
   for(int t = 0; t < 10; ++t) {
     program::Data_array array;
-    array.name = "of type <" + std::to_string(t) + "> & \"all\" 100%";
+    array.name = "of type <" + std::to_string(t) + "> & \"all\" 100% NumberOfComponents=";
     array.type = static_cast<program::Number_type>(t);
     array.number_of_components = 1 + t % 3;
     program::with_type(array.type, [&](auto number) {
@@ -350,6 +350,13 @@ BOOST_AUTO_TEST_CASE(tetgen_files)
   std::string message;
   BOOST_TEST(!FFM::read_volume(directory.write("a.node", node), mesh, &message));
   BOOST_TEST(contains(message, "a.ele"));
+  // Written back as it was, wherever lines end.
+  const std::string broken_header = "2\n3\n0 0 0 0\n1 1 0 0\n";
+  directory.write("b.ele", "1 4\n0 0 1 0 1\n");
+  program::Volume_file file;
+  BOOST_TEST(program::read_volume_file(directory.write("b.node", broken_header), file) == "");
+  BOOST_TEST(program::write_volume_file(directory.file("c.node"), file) == "");
+  BOOST_TEST(directory.read("c.node") == broken_header);
 }
 
 BOOST_AUTO_TEST_CASE(vtu_with_values_and_broken_vtu_files)
@@ -637,6 +644,8 @@ BOOST_AUTO_TEST_CASE(gmsh_files)
     BOOST_TEST(written("b.msh", file) ==
                replaced(text, text == old ? "44 0 0 1\n" : "5\n0 0 1\n", text == old ? "44 0.1 -0 1e-300\n" : "5\n0.1 -0 1e-300\n"));
   }
+  const std::string with_vertical_space = replaced(old, "2 1 0 0\n3", "2 1 0 0\v3");
+  BOOST_TEST(written("b.msh", read_content("a.msh", with_vertical_space)) == with_vertical_space);
   const std::pair<std::string, std::string> cases[] = {
     {"", "$MeshFormat"},
     {replaced(old, "2.2 0 8", "4 0 8"), "line 2: the version '4' is not supported"},

@@ -278,11 +278,16 @@ private:
   {
     const std::size_t n = words.size();
     if(words[0] == "format" && n >= 2) {
+      if(!m_format.empty())
+        return "the header names a second format";
       m_format = words[1];
       const bool is_known = m_format == "ascii" || m_format == "binary_little_endian" || m_format == "binary_big_endian";
       return is_known ? "" : internal::quoted_word(m_format) + " is no format of PLY files";
     }
     if(words[0] == "element" && n == 3) {
+      for(const PLY_element& other : m_elements)
+        if(other.name == words[1])
+          return "there is a second element of the name " + internal::quoted_word(words[1]);
       m_elements.emplace_back();
       m_elements.back().name = words[1];
       return internal::parse_number(words[2], m_elements.back().count) == std::errc()

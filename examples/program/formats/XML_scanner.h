@@ -64,17 +64,26 @@ public:
   // The value of the attribute, as it is written; empty when there is none.
   std::string_view attribute(std::string_view key) const
   {
-    for(std::size_t i = m_tag.find(key); i != std::string_view::npos; i = m_tag.find(key, i + 1)) {
-      const bool begins_here = i > 0 && std::string_view(" \t\r\n").find(m_tag[i - 1]) != std::string_view::npos;
-      std::size_t j = m_tag.find_first_not_of(" \t\r\n", i + key.size());
-      if(!begins_here || j == std::string_view::npos || m_tag[j] != '=')
+    // One after the other, since what looks like an attribute may be a part of the value of another one.
+    const std::string_view space = " \t\r\n";
+    for(std::size_t i = m_tag.find_first_of(space); (i = m_tag.find_first_not_of(space, i)) != std::string_view::npos;) {
+      const std::size_t name_end = m_tag.find_first_of(" \t\r\n=", i);
+      const std::size_t equals = m_tag.find_first_not_of(space, name_end);
+      if(equals == std::string_view::npos)
+        break;
+      const bool is_key = m_tag.substr(i, name_end - i) == key;
+      i = equals;
+      if(m_tag[equals] != '=')
         continue;
-      j = m_tag.find_first_of("\"'", j);
-      if(j == std::string_view::npos)
+      i = m_tag.find_first_not_of(space, equals + 1);
+      if(i == std::string_view::npos || (m_tag[i] != '"' && m_tag[i] != '\''))
         continue;
-      const std::size_t end = m_tag.find(m_tag[j], j + 1);
-      if(end != std::string_view::npos)
-        return m_tag.substr(j + 1, end - j - 1);
+      const std::size_t end = m_tag.find(m_tag[i], i + 1);
+      if(end == std::string_view::npos)
+        break;
+      if(is_key)
+        return m_tag.substr(i + 1, end - i - 1);
+      i = end + 1;
     }
     return std::string_view();
   }

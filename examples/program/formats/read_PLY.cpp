@@ -31,6 +31,8 @@ std::string find_roles(const std::vector<PLY_element>& elements, PLY_roles& role
       if(element.name == "vertex" && c < 3) {
         if(property.is_list)
           return "the coordinate " + name + " of vertices is a list";
+        if(roles.coordinates[c] != nullptr)
+          return "vertices have two coordinates " + name;
         roles.coordinates[c] = &property;
       } else if(element.name == "vertex" && t < 2 && !property.is_list)
         roles.vertex_images[t] = &property;

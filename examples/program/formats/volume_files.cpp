@@ -122,7 +122,7 @@ std::string with_points(const Volume_file& file)
       copied = place + sizeof(double);
     } else {
       internal::append_number(text, file.points[i / 3][i % 3]);
-      copied = (std::min)(old.find_first_of(" \t\r\n,", place), old.size());
+      copied = (std::min)(old.find_first_of(" \t\v\f\r\n,", place), old.size());
     }
   }
   return text.append(old, copied, std::string::npos);

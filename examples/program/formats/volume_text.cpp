@@ -57,7 +57,8 @@ std::string Medit_with_points(const std::string& text, const std::vector<std::ar
 std::string Tetgen_with_points(const std::string& text, const std::vector<std::array<double, 3>>& points)
 {
   internal::Word_reader reader(text);
-  reader.skip_word();
+  reader.skip_word(); // how many
+  reader.skip_word(); // the dimension, which may be on a line of its own
   reader.skip_line();
   return replaced_points(
     text, reader, points, [&] { reader.skip_word(); }, // the number

@@ -11,6 +11,8 @@
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/tetrahedralize_with_tetgen.h>
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_TETGEN
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -151,5 +153,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Status tetgen_failure(int code, std::string& message)
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_USE_TETGEN
 
 #endif // CGAL_FLIP_FREE_MAPS_TETRAHEDRALIZE_WITH_TETGEN_IMPL_H

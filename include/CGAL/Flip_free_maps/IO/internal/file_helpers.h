@@ -11,8 +11,10 @@
 #include <CGAL/Flip_free_maps/internal/error_message.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -44,6 +46,19 @@ constexpr bool has_charconv_of_doubles = false;
 
 // What std::from_chars() does.
 std::errc parse_by_stream(std::string_view word, double& value);
+
+inline std::errc parse_by_stream(std::string_view word, float& value)
+{
+  double number = 0;
+  const std::errc status = parse_by_stream(word, number);
+  if(status != std::errc())
+    return status;
+  const bool is_too_large = std::isfinite(number) && std::abs(number) > double((std::numeric_limits<float>::max)());
+  if(is_too_large || (number != 0 && static_cast<float>(number) == 0))
+    return std::errc::result_out_of_range;
+  value = static_cast<float>(number);
+  return std::errc();
+}
 
 // What std::to_chars() does, with 0 digits the shortest text.
 std::string text_by_stream(double value, int digits);

@@ -175,7 +175,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool read_whole_file(const std::string& path, std::st
     return fail(message, "cannot open " + path + ": " + std::strerror(errno));
 
   content.clear();
-  std::string chunk(std::size_t(1) << 20, '\0');
+  std::string chunk(std::size_t(1) << 16, '\0');
   for(std::size_t length; (length = std::fread(&chunk[0], 1, chunk.size(), file)) > 0;)
     content.append(chunk, 0, length);
   const bool is_read = std::ferror(file) == 0;

@@ -1,0 +1,41 @@
+# Takes the snippets of C++ out of a page of the manual, or of another text.
+
+# Sets VARIABLE_programs to a list of names NAME_N of the N-th snippets, from 1, that are whole programs, and VARIABLE_fragments to a
+# list of the others that are to be compiled; the text of each is NAME_N_text, and the header with what surrounds a fragment is
+# NAME_N_header. Pages have code between \code and \endcode, in C++ if no other language is named; other texts between ```cpp and ```.
+# A comment <!-- snippet: HEADER --> right before tells the header of a fragment. Where something is left out (...), nothing can be
+# compiled; anything else is an error.
+macro(read_snippets variable file)
+  file(READ "${file}" rest)
+  get_filename_component(name "${file}" NAME_WE)
+  set(begin "\n\\\\code(\\{[.]cpp\\})?\n")
+  set(end "\n\\endcode")
+  if("${file}" MATCHES "[.]md$")
+    set(begin "\n```cpp\n")
+    set(end "\n```")
+  endif()
+  set(number 0)
+  set(${variable}_programs)
+  set(${variable}_fragments)
+  while("${rest}" MATCHES "${begin}")
+    set(opening "${CMAKE_MATCH_0}")
+    string(FIND "${rest}" "${opening}" place)
+    string(SUBSTRING "${rest}" 0 ${place} before)
+    string(LENGTH "${opening}" length)
+    math(EXPR place "${place} + ${length}")
+    string(SUBSTRING "${rest}" ${place} -1 rest)
+    string(FIND "${rest}" "${end}" place)
+    math(EXPR number "${number} + 1")
+    set(snippet ${name}_${number})
+    string(SUBSTRING "${rest}" 0 ${place} ${snippet}_text)
+    string(SUBSTRING "${rest}" ${place} -1 rest)
+    if("${${snippet}_text}" MATCHES "int main\\(")
+      list(APPEND ${variable}_programs ${snippet})
+    elseif("${before}" MATCHES "<!-- snippet: ([A-Za-z_.]+) -->$")
+      set(${snippet}_header "${CMAKE_MATCH_1}")
+      list(APPEND ${variable}_fragments ${snippet})
+    elseif(NOT "${${snippet}_text}" MATCHES "[.][.][.]")
+      message(FATAL_ERROR "${file}: this snippet is no program, and no comment tells what surrounds it:\n${${snippet}_text}")
+    endif()
+  endwhile()
+endmacro()
