@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_H
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Cholmod_factor.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Elimination_split.h>
@@ -82,5 +84,7 @@ private:
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
 #include <CGAL/Flip_free_maps/linear_solvers/Cholmod_solver_impl.h>
 #endif
+
+#endif // CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 
 #endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_H

@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_IMPL_H
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Cholmod_solver.h>
@@ -103,5 +105,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Cholmod_solver::order_by_metis(const cholmod_spa
 
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 
 #endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_CHOLMOD_SOLVER_IMPL_H

@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_CHOLMOD_FACTOR_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_CHOLMOD_FACTOR_H
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Single_thread.h>
 
@@ -140,5 +142,7 @@ private:
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Cholmod_factor_impl.h>
 #endif
+
+#endif // CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 
 #endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_CHOLMOD_FACTOR_H

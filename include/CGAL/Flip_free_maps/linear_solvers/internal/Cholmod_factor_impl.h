@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_CHOLMOD_FACTOR_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_CHOLMOD_FACTOR_IMPL_H
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Cholmod_factor.h>
 
@@ -257,5 +259,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Cholmod_factor::analyze(cholmod_sparse& matrix, 
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 
 #endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_CHOLMOD_FACTOR_IMPL_H

@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_SPLIT_CHOLESKY_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_SPLIT_CHOLESKY_H
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+
 #include <CGAL/Flip_free_maps/internal/parallel_invoke.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Cholmod_factor.h>
@@ -132,5 +134,7 @@ private:
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Split_cholesky_impl.h>
 #endif
+
+#endif // CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 
 #endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_SPLIT_CHOLESKY_H

@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_SPLIT_CHOLESKY_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_SPLIT_CHOLESKY_IMPL_H
 
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
+
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Split_cholesky.h>
 
@@ -210,5 +212,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Split_cholesky::analyze_separator()
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
+
+#endif // CGAL_FLIP_FREE_MAPS_USE_CHOLMOD
 
 #endif // CGAL_FLIP_FREE_MAPS_LINEAR_SOLVERS_INTERNAL_SPLIT_CHOLESKY_IMPL_H
