@@ -995,6 +995,58 @@ check "morph: sides that are free" less 1e-3 "$(largest_error free.mesh)"
 expect 2 morph bar.mesh --handles pulled.handles --slide --no-polish -o bad.mesh
 expect 2 morph bar.mesh --handles pulled.handles -o pulled.mesh --report pulled.mesh
 
+# A second body that nobody moves.
+awk '
+  function copy(count, shift, move,    i, j, f) {
+    for(i = 0; i < count; ++i) {
+      $0 = line[i]
+      if(move) { $2 += 5 } else for(j = 1; j < NF; ++j) $j += shift
+      print
+    }
+  }
+  $1 == "Vertices" || $1 == "Tetrahedra" {
+    moves = $1 == "Vertices"
+    print; getline; count = $1; if(moves) n = count
+    print 2 * count
+    for(i = 0; i < count; ++i) { getline; line[i] = $0; print }
+    copy(count, n, moves)
+    next
+  }
+  { print }' bar.mesh > two_bodies.mesh
+expect 0 morph two_bodies.mesh --handles pulled.handles -o two_bodies_out.mesh
+n="$(vertices_of bar.mesh | wc -l)"
+check "morph: a body at rest" test "$(paste -d ' ' <(vertices_of two_bodies.mesh) <(vertices_of two_bodies_out.mesh) |
+  awk -v n="$n" 'NR > n { for(i = 1; i <= 3; ++i) { d = $i - $(i + 3); if(d > 1e-12 || d < -1e-12) ++moved } } END { print moved + 0 }')" = 0
+check "morph: a body that is moved" close "$(vertices_of two_bodies_out.mesh | head -n "$n" | awk '$1 > l { l = $1 } END { print l }')" \
+  "$(awk -v l="$last" 'BEGIN { print 1.5 * l }')" 1e-9
+
+# Two sides of a cube opened to one: edges inside leave no map, unless they are split.
+awk 'BEGIN {
+  n = 3; m = n + 1
+  print "MeshVersionFormatted 2\nDimension 3\nVertices\n" m * m * m
+  for(k = 0; k <= n; ++k) for(j = 0; j <= n; ++j) for(i = 0; i <= n; ++i) print i, j, k, 0
+  split("0 1 2 1 2 0 2 0 1 0 2 1 2 1 0 1 0 2", order, " ")
+  print "Tetrahedra\n" 6 * n * n * n
+  for(k = 0; k < n; ++k) for(j = 0; j < n; ++j) for(i = 0; i < n; ++i) for(o = 0; o < 6; ++o) {
+    p[0] = i; p[1] = j; p[2] = k
+    for(s = 0; s <= 3; ++s) { if(s) ++p[order[3 * o + s]]; v[s] = (p[2] * m + p[1]) * m + p[0] + 1 }
+    if(o < 3) print v[0], v[1], v[2], v[3], o + 1; else print v[0], v[2], v[1], v[3], o + 1
+  }
+  print "End"
+}' > cube.mesh
+vertices_of cube.mesh | awk '{
+  if($1 % 3 && $2 % 3 && $3 % 3) next
+  less = 0.5 * ($1 < 3 - $2 ? $1 : 3 - $2)
+  print NR - 1, $1 - less, $2 + less, $3
+}' > opened.handles
+expect 12 morph cube.mesh --handles opened.handles -o bad.mesh --json opened.json
+expect 0 morph cube.mesh --handles opened.handles --refine -o opened.vtu --json refined.json
+check "--refine: flips" test "$(value refined.json flips)" = 0
+check "--refine: new vertices are told" grep -q 'new vertices have the numbers from 64 to' refined.json
+expect 12 map-volume cube.mesh opened.handles -o bad.mesh
+expect 0 map-volume cube.mesh opened.handles --refine -o opened.mesh
+check "--refine: others keep their places" arrive opened.mesh opened.handles
+
 # The boundary of the bent bar in all ways in which it can be given: they are the same.
 expect 0 morph bar.mesh --handles surface.handles -o morphed.mesh --json morphed.json
 check "morph: flips" test "$(value morphed.json flips)" = 0

@@ -154,6 +154,25 @@ def test_map_volume():
         ffm.map_volume(points, tetrahedra, places, energy="arap")
 
 
+def test_morph_volume():
+    points, tetrahedra = meshes.bar(4, 3)
+    ends = np.flatnonzero((points[:, 0] == 0) | (points[:, 0] == 4))
+    places = points[ends] * [1.5, 1, 1]
+    slid, summary = ffm.morph_volume(points, tetrahedra, ends, places, slide=True, tolerance=1e-8)
+    assert np.array_equal(slid[ends], places) and meshes.flips(tetrahedra, slid) == 0
+    assert np.abs(slid - points * [1.5, 1, 1]).max() < 1e-5
+    assert summary.quality.min_scaled_jacobian < summary.quality_before.min_scaled_jacobian
+    free = ffm.morph_volume(points, tetrahedra, ends, places).points
+    assert np.array_equal(free[ends], places) and np.abs(free - slid).max() > 0.01
+    # A second body that nobody moves.
+    both = np.vstack([points, points + [10, 0, 0]])
+    result = ffm.morph_volume(both, np.vstack([tetrahedra, tetrahedra + len(points)]), ends, places).points
+    assert np.abs(result[len(points):] - both[len(points):]).max() < 1e-12
+    for arguments in ({"energy": "arap"}, {"slide": True, "polish": False}):
+        with pytest.raises(ffm.InvalidOption):
+            ffm.morph_volume(points, tetrahedra, ends, places, **arguments)
+
+
 def test_bad_solids():
     points, tetrahedra = meshes.bar(2, 1)
     flat = points * [1, 1, 0]

@@ -18,6 +18,7 @@
 #include <CGAL/Flip_free_maps/deform_volume.h>
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/map_volume.h>
+#include <CGAL/Flip_free_maps/morph_volume.h>
 
 #include <Eigen/Core>
 
@@ -190,6 +191,41 @@ py::tuple map_volume(const py::array& points, const py::array& tetrahedra, const
       volume.write_back(x, FFM::internal::Array_map<std::array<double, 3>>{&result}, summary.message, exact_places);
     if(written != FFM::Status::success)
       summary.status = written;
+  };
+  {
+    const py::gil_scoped_release unlocked;
+    FFM::internal::catch_out_of_memory(run, summary);
+  }
+  watch.raise();
+  return py::make_tuple(array_of(result), account(summary));
+}
+
+py::tuple morph_volume(const py::array& points, const py::array& tetrahedra, const py::array& vertices, const py::array& places,
+                       const py::dict& given, const py::object& progress)
+{
+  const Points p(points, "points");
+  const Tetrahedra t(tetrahedra, "tetrahedra");
+  const auto moved = handles_of<3>(Numbers(vertices, "vertices"), Points(places, "places"));
+  const program::Method_choice choice = method_choice(given);
+  Watch watch(progress);
+  const FFM::Any_map_traits traits = traits_of(choice, watch);
+  FFM::Morph_options options;
+  read(given, "polish", options.polish);
+  read(given, "slide", options.slide_on_boundary);
+  set_limits(choice, options);
+  options.splitting.observer = watch.observer<FFM::Splitting_report>();
+  Places<3> result(p.begin(), p.end());
+  FFM::Morph_summary summary;
+  const auto run = [&] {
+    FFM::Tetrahedral_domain volume;
+    summary.dimension = 3;
+    summary.status = volume.load(p, t, summary.message);
+    // Components that nobody moves stay at rest.
+    if(summary.status != FFM::Status::success && summary.status != FFM::Status::several_components)
+      return;
+    summary = FFM::morph_volume(volume, moved, FFM::internal::Array_map<std::array<double, 3>>{&result}, traits, options);
+    if(summary.is_valid() && options.polish)
+      traits.name_choices(summary);
   };
   {
     const py::gil_scoped_release unlocked;

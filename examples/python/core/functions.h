@@ -46,6 +46,9 @@ py::tuple deform_volume(const py::array& points, const py::array& tetrahedra, co
                         const py::dict& given, const py::object& progress);
 py::tuple map_volume(const py::array& points, const py::array& tetrahedra, const py::array& boundary, const py::array& places,
                      const py::dict& given, const py::object& progress);
+
+py::tuple morph_volume(const py::array& points, const py::array& tetrahedra, const py::array& vertices, const py::array& places,
+                       const py::dict& given, const py::object& progress);
 void add_deformations(py::module_& module);
 
 // minimize.cpp

@@ -52,6 +52,7 @@ PYBIND11_MODULE(_core, module)
   module.def("deform", &python::deform);
   module.def("deform_volume", &python::deform_volume);
   module.def("map_volume", &python::map_volume);
+  module.def("morph_volume", &python::morph_volume);
   module.def("minimize", &python::minimize);
   python::add_deformations(module);
 

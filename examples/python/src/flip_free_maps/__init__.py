@@ -33,6 +33,7 @@ from ._functions import (
     map_volume,
     measure,
     minimize,
+    morph_volume,
     pack,
     parameterize,
     parameterize_with_seams,

@@ -290,6 +290,22 @@ def map_volume(
     progress: _Progress | None = ...,
 ) -> Deformed: ...
 
+def morph_volume(
+    points: ArrayLike,
+    tetrahedra: ArrayLike,
+    vertices: ArrayLike,
+    places: ArrayLike,
+    *,
+    slide: bool = ...,
+    energy: str = ...,
+    polish: bool = ...,
+    criterion: str | None = ...,
+    tolerance: float | None = ...,
+    max_iterations: int | None = ...,
+    time_limit: float | None = ...,
+    progress: _Progress | None = ...,
+) -> Deformed: ...
+
 def minimize(
     points: ArrayLike,
     elements: _Faces,

@@ -553,6 +553,46 @@ def map_volume(points, tetrahedra, places, *, boundary=None, start=None, energy=
     return Deformed(result, finished(account))
 
 
+def morph_volume(points, tetrahedra, vertices, places, *, slide=False, energy="symmetric-gradient", polish=True, criterion=None,
+                 tolerance=None, max_iterations=None, time_limit=None, progress=None):
+    """Moves some vertices of a solid, usually its boundary or a part of it, and lets the others follow without a flip.
+
+    Parameters
+    ----------
+    points : (n, 3) array
+    tetrahedra : (f, 4) array of integers
+        Of one body, or of several: those of which no vertex is given stay at rest.
+    vertices : (k,) array of integers, or (n,) array of bool
+        Which vertices move.
+    places : (k, 3) array
+        Where they go.
+    slide : bool
+        Whether the rest of the boundary slides on its planes and along its straight creases. It is free otherwise.
+    energy : "symmetric-gradient", "symmetric-dirichlet" or "exponential-symmetric-dirichlet"
+        The last is for the sake of the worst tetrahedra.
+    polish : bool
+        Whether the distortion is minimised; some elements are almost collapsed otherwise. What slides is always polished.
+    criterion, tolerance, max_iterations, time_limit, progress
+        As for `repair`.
+
+    Returns
+    -------
+    Deformed
+        (points, summary); `summary.quality_before` and `summary.quality` have the scaled Jacobians.
+    """
+    p = _checks.numbers(points, 3, "points")
+    t = _checks.indices(tetrahedra, 4, "tetrahedra")
+    _checks.choice("energy", energy, ("symmetric-gradient", "symmetric-dirichlet", "exponential-symmetric-dirichlet"))
+    if slide and not polish:
+        raise _checks.InvalidOption("what slides is always polished")
+    given = _checks.method(locals())
+    given["polish"] = bool(polish)
+    given["slide"] = bool(slide)
+    moved = _checks.vertices(vertices, len(p), "vertices")
+    result, account = _core.morph_volume(p, t, moved, _targets(places, moved, 3), given, watched(progress))
+    return Deformed(result, finished(account))
+
+
 def _three(result, name):
     if not isinstance(result, (tuple, list)) or len(result) != 3:
         raise ValueError(f"{name} with derivatives must return a tuple of its value, its gradient and its Hessian")
