@@ -389,8 +389,9 @@ BOOST_AUTO_TEST_CASE(sides_slide_in_their_planes)
   FFM::Position_constraints<3> constraints;
   constraints.sliding_vertices = {FFM::Sliding_vertex<3>::normal_to(0, Eigen::Vector3d(1, 0, 0))};
   BOOST_TEST((FFM::repair_map(domain, x, constraints).status == FFM::Status::invalid_option));
-  BOOST_TEST(
-    (FFM::Splitting_minimizer<3>(domain, FFM::Flip_free_map_traits<>(), constraints).minimize(x).status == FFM::Status::invalid_option));
+  BOOST_TEST((FFM::Splitting_minimizer<3>(domain, FFM::Flip_free_map_traits<CGAL::Default, FFM::Symmetric_gradient>(), constraints)
+                .minimize(x)
+                .status == FFM::Status::invalid_option));
 }
 
 BOOST_AUTO_TEST_CASE(scaled_jacobian_of_known_shapes)

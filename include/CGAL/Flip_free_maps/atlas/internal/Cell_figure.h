@@ -41,6 +41,9 @@ public:
   // Those of an outline whose coordinates are in cells. None if it is wider or higher than the grid with so many cells in a row.
   Cell_figure(const Chart_outline& outline, int grid_size);
 
+  // In rows. Whether there is room for higher ones takes longer to find out than it saves.
+  static constexpr int HIGHEST_BLOCK = 32;
+
   int width() const { return m_width; }
   int height() const { return m_height; }
 

@@ -84,7 +84,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cell_figure::find_blocks()
       common.push_back(run);
     else if(run.length() > common.back().length())
       common.back() = run;
-  for(std::size_t rows = 1; !common.empty(); rows *= 2) {
+  for(std::size_t rows = 1; rows <= std::size_t(HIGHEST_BLOCK) && !common.empty(); rows *= 2) {
     m_blocks.push_back(
       *std::max_element(common.begin(), common.end(), [](const Cell_run& r, const Cell_run& s) { return r.length() < s.length(); }));
     if(m_blocks.back().length() <= 0) {

@@ -25,7 +25,7 @@ namespace internal {
 CGAL_FLIP_FREE_MAPS_INLINE Cell_grid::Cell_grid(int size)
   : m_size(size), m_words(size / BITS), m_cells(std::size_t(size) * m_words, 0), m_places(m_words), m_taken(m_words + 1)
 {
-  for(int rows = 1; rows <= size; rows *= 2) {
+  for(int rows = 1; rows <= (std::min)(size, Cell_figure::HIGHEST_BLOCK); rows *= 2) {
     m_longest_free.emplace_back(size - rows + 1, size);
     m_is_old.emplace_back(size - rows + 1, 0);
   }
