@@ -202,7 +202,8 @@ BOOST_AUTO_TEST_CASE(edges_within_a_flat_side)
     mesh.tetrahedra.push_back({{t[0], t[1], t[2], t[3]}});
   const FFM::Tetrahedral_mesh coarse = mesh;
   const std::vector<FFM::Edge_split> splits = FFM::refine_obstructions(mesh, summary);
-  BOOST_TEST_REQUIRE(splits.size() == expected.size());
+  for(const auto& edge : expected)
+    BOOST_TEST(std::count_if(splits.begin(), splits.end(), [&](const FFM::Edge_split& s) { return s.ends == edge; }) == 1);
   BOOST_TEST(mesh.points.size() == coarse.points.size() + splits.size());
   Volume refined;
   for(const auto& p : mesh.points)
@@ -339,25 +340,26 @@ BOOST_AUTO_TEST_CASE(morphed_solids)
 }
 
 // A bar whose ends are pulled apart and whose sides keep to their planes: stresses of the affine map are normal to the sides, so that
-// it is the optimum. Free sides would contract.
+// it is the optimum. Where one end goes sideways, sides that are free leave their planes.
 BOOST_AUTO_TEST_CASE(sides_slide_in_their_planes)
 {
   Random random(5);
   const Eigen::Matrix3d turn = random.rotation<3>();
   const int length = 6, width = 3;
-  const auto stretched = [&](const Eigen::Vector3d& p, double factor) -> Eigen::Vector3d {
-    return turn * Eigen::Vector3d(factor * p[0], p[1], p[2]);
+  const auto stretched = [&](const Eigen::Vector3d& p, double factor, double aside = 0) -> Eigen::Vector3d {
+    return turn * Eigen::Vector3d(factor * p[0], p[1] + (p[0] == length ? aside : 0), p[2]);
   };
   const Volume rest = bar(length, width, width, [](const Eigen::Vector3d& p) { return p; });
   const Volume turned = bar(length, width, width, [&](const Eigen::Vector3d& p) { return stretched(p, 1); });
   FFM::Tetrahedral_domain volume;
   std::string message;
   BOOST_TEST_REQUIRE((volume.load(turned.points, turned.tetrahedra, message) == FFM::Status::success));
-  for(const double factor : {1.7, 0.6}) {
+  for(const auto& [factor, aside] : {std::make_pair(1.7, 0.), std::make_pair(0.6, 0.), std::make_pair(1.2, 0.7)}) {
     std::vector<std::pair<std::size_t, std::array<double, 3>>> places;
+    const auto is_given = [&](std::size_t v) { return rest.points[v][0] == 0 || rest.points[v][0] == length; };
     for(std::size_t v = 0; v < rest.points.size(); ++v)
-      if(rest.points[v][0] == 0 || rest.points[v][0] == length) {
-        const Eigen::Vector3d p = stretched(rest.points[v], factor);
+      if(is_given(v)) {
+        const Eigen::Vector3d p = stretched(rest.points[v], factor, aside);
         places.push_back({v, {{p[0], p[1], p[2]}}});
       }
     FFM::Flip_free_map_traits<CGAL::Default, FFM::Symmetric_gradient> traits;
@@ -374,12 +376,16 @@ BOOST_AUTO_TEST_CASE(sides_slide_in_their_planes)
         const Eigen::Vector3d p(result[v].data());
         error = (std::max)(error, (p - stretched(rest.points[v], factor)).norm());
         const Eigen::Vector3d back = turn.transpose() * p;
-        for(int i = 1; i < 3; ++i)
+        for(int i = 1; i < 3 && !is_given(v); ++i)
           if(rest.points[v][i] == 0 || rest.points[v][i] == width)
             off_planes = (std::max)(off_planes, std::abs(back[i] - rest.points[v][i]));
       }
-      BOOST_TEST((slides ? error < 1e-5 : error > 0.05));
-      BOOST_TEST((slides ? off_planes < 1e-12 : off_planes > 0.05));
+      if(slides && aside == 0)
+        BOOST_TEST(error < 1e-5);
+      if(slides)
+        BOOST_TEST(off_planes < 1e-12);
+      else if(aside > 0)
+        BOOST_TEST(off_planes > 0.05);
     }
   }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace program {
@@ -89,7 +90,9 @@ std::vector<FFM::Edge_split> obstructions(const Solid_input& input, const FFM::T
   std::vector<std::array<std::size_t, 2>> edges;
   for(const auto& edge : summary.impossible_edges)
     edges.push_back({{volume.vertices()[edge[0]], volume.vertices()[edge[1]]}});
-  return FFM::splits_of_obstructions(input.solid.mesh, summary.impossible_elements, edges);
+  std::vector<std::int64_t> elements = summary.impossible_elements;
+  elements.insert(elements.end(), summary.flipped_elements.begin(), summary.flipped_elements.end());
+  return FFM::splits_of_obstructions(input.solid.mesh, elements, edges);
 }
 
 void split_solid(Solid_input& input, const std::vector<FFM::Edge_split>& splits)
@@ -124,7 +127,10 @@ void map_and_refine(bool refines, Solid_input& input, FFM::Tetrahedral_domain& v
   const int most_rounds = 5;
   const std::size_t number = input.solid.mesh.points.size();
   map();
-  for(int round = 0; refines && round < most_rounds && summary.status == Status::unreachable_constraints; ++round) {
+  const auto is_blocked = [&summary] {
+    return summary.status == Status::unreachable_constraints || summary.status == Status::flips_remain;
+  };
+  for(int round = 0; refines && round < most_rounds && is_blocked(); ++round) {
     const std::vector<FFM::Edge_split> splits = obstructions(input, volume, summary);
     if(splits.empty())
       break;

@@ -10,7 +10,6 @@
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/constraints/internal/repeated_handles.h>
-#include <CGAL/Flip_free_maps/constraints/internal/slide_on_boundary.h>
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/initializers/internal/uniform_extension.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Flip_free_maps/internal/account_run.h>
 #include <CGAL/Flip_free_maps/measure/Element_quality.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/internal/slide_on_boundary.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
 #include <CGAL/Flip_free_maps/repair_map.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -70,17 +71,16 @@ std::vector<std::size_t> split_simplices(std::vector<std::array<int, N>>& simpli
 
 /// \ingroup PkgFlipFreeMapsRef
 /// The edges at whose middles a solid is to be split when there is no map without flips because of where vertices are held: the
-/// impossible edges of a summary, and of each impossible tetrahedron the longest edge that is not on the boundary. A vertex in the
-/// middle, which nobody holds, leaves the side of the target on which both ends lie. Tetrahedra all of whose edges are on the boundary
-/// are of no help.
+/// impossible edges of a summary, and of each tetrahedron that is impossible, or still flipped, the longest edge that is not on the
+/// boundary. A vertex in the middle, which nobody holds, leaves the side of the target on which both ends lie. Tetrahedra all of whose
+/// edges are on the boundary are of no help.
 ///
 /// \param mesh the solid at rest
-/// \param impossible_elements numbers of tetrahedra, see `Summary::impossible_elements`
+/// \param elements numbers of tetrahedra, see `Summary::impossible_elements` and `Summary::flipped_elements`
 /// \param impossible_edges pairs of vertices, see `Summary::impossible_edges`
 /// \returns the edges, each with a new vertex: the first has the number of points of the mesh
 template <typename Elements, typename Edges>
-std::vector<Edge_split> splits_of_obstructions(const Tetrahedral_mesh& mesh, const Elements& impossible_elements,
-                                               const Edges& impossible_edges)
+std::vector<Edge_split> splits_of_obstructions(const Tetrahedral_mesh& mesh, const Elements& elements, const Edges& impossible_edges)
 {
   using Edge = std::array<int, 2>;
   const auto edge = [](int v, int w) { return Edge{{(std::min)(v, w), (std::max)(v, w)}}; };
@@ -91,7 +91,7 @@ std::vector<Edge_split> splits_of_obstructions(const Tetrahedral_mesh& mesh, con
   std::sort(on_boundary.begin(), on_boundary.end());
   for(const auto& ends : impossible_edges)
     chosen.push_back(edge(static_cast<int>(ends[0]), static_cast<int>(ends[1])));
-  for(const auto e : impossible_elements) {
+  for(const auto e : elements) {
     const std::array<int, 4>& t = mesh.tetrahedra[static_cast<std::size_t>(e)];
     double longest = 0;
     Edge best{{-1, -1}};
@@ -122,11 +122,13 @@ std::vector<Edge_split> splits_of_obstructions(const Tetrahedral_mesh& mesh, con
 /// numbers, new ones are last.
 ///
 /// \param mesh the solid at rest, all of whose points are vertices of tetrahedra
-/// \param summary of a call that ended with `unreachable_constraints`
-/// \returns the edges that were split, none if that does not help
+/// \param summary of a call that ended with `unreachable_constraints` or `flips_remain`
+/// \returns the edges that were split, none if that does not help; it may take several rounds of calls and splits
 inline std::vector<Edge_split> refine_obstructions(Tetrahedral_mesh& mesh, const Summary& summary)
 {
-  std::vector<Edge_split> splits = splits_of_obstructions(mesh, summary.impossible_elements, summary.impossible_edges);
+  std::vector<std::int64_t> elements = summary.impossible_elements;
+  elements.insert(elements.end(), summary.flipped_elements.begin(), summary.flipped_elements.end());
+  std::vector<Edge_split> splits = splits_of_obstructions(mesh, elements, summary.impossible_edges);
   for(const Edge_split& split : splits) {
     std::array<double, 3> middle;
     for(int c = 0; c < 3; ++c)

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#ifndef CGAL_FLIP_FREE_MAPS_CONSTRAINTS_INTERNAL_SLIDE_ON_BOUNDARY_H
-#define CGAL_FLIP_FREE_MAPS_CONSTRAINTS_INTERNAL_SLIDE_ON_BOUNDARY_H
+#ifndef CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_SLIDE_ON_BOUNDARY_H
+#define CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_SLIDE_ON_BOUNDARY_H
 
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
@@ -55,4 +55,4 @@ inline void slide_on_boundary(const Simplicial_domain<3>& domain, Position_const
 } // namespace Flip_free_maps
 } // namespace CGAL
 
-#endif // CGAL_FLIP_FREE_MAPS_CONSTRAINTS_INTERNAL_SLIDE_ON_BOUNDARY_H
+#endif // CGAL_FLIP_FREE_MAPS_MINIMIZER_INTERNAL_SLIDE_ON_BOUNDARY_H
