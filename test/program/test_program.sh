@@ -1029,32 +1029,20 @@ check "morph: a body at rest" test "$(paste -d ' ' <(vertices_of two_bodies.mesh
 check "morph: a body that is moved" close "$(vertices_of two_bodies_out.mesh | head -n "$n" | awk '$1 > l { l = $1 } END { print l }')" \
   "$(awk -v l="$last" 'BEGIN { print 1.5 * l }')" 1e-9
 
-# Two sides of a cube opened to one: edges inside leave no map, unless they are split.
-awk 'BEGIN {
-  n = 3; m = n + 1
-  print "MeshVersionFormatted 2\nDimension 3\nVertices\n" m * m * m
-  for(k = 0; k <= n; ++k) for(j = 0; j <= n; ++j) for(i = 0; i <= n; ++i) print i, j, k, 0
-  split("0 1 2 1 2 0 2 0 1 0 2 1 2 1 0 1 0 2", order, " ")
-  print "Tetrahedra\n" 6 * n * n * n
-  for(k = 0; k < n; ++k) for(j = 0; j < n; ++j) for(i = 0; i < n; ++i) for(o = 0; o < 6; ++o) {
-    p[0] = i; p[1] = j; p[2] = k
-    for(s = 0; s <= 3; ++s) { if(s) ++p[order[3 * o + s]]; v[s] = (p[2] * m + p[1]) * m + p[0] + 1 }
-    if(o < 3) print v[0], v[1], v[2], v[3], o + 1; else print v[0], v[2], v[1], v[3], o + 1
-  }
-  print "End"
-}' > cube.mesh
-vertices_of cube.mesh | awk '{
-  if($1 % 3 && $2 % 3 && $3 % 3) next
-  less = 0.5 * ($1 < 3 - $2 ? $1 : 3 - $2)
-  print NR - 1, $1 - less, $2 + less, $3
-}' > opened.handles
-expect 12 morph cube.mesh --handles opened.handles -o bad.mesh --json opened.json
-expect 0 morph cube.mesh --handles opened.handles --refine -o opened.vtu --json refined.json
-check "--refine: flips" test "$(value refined.json flips)" = 0
-check "--refine: new vertices are told" grep -q 'new vertices have the numbers from 64 to' refined.json
-expect 12 map-volume cube.mesh opened.handles -o bad.mesh
-expect 0 map-volume cube.mesh opened.handles --refine -o opened.mesh
-check "--refine: others keep their places" arrive opened.mesh opened.handles
+# Four tetrahedra around an edge, one of which is to be flat: there is no map, unless the edge is split.
+printf '%s\n' 'MeshVersionFormatted 2' 'Dimension 3' Vertices 6 '0 -1 0 0' '0 1 0 0' '1 0 0 0' '0 0 1 0' '-1 0 0 0' '0 0 -1 0' \
+  Tetrahedra 4 '2 1 3 4 7' '2 1 4 5 8' '2 1 5 6 9' '2 1 6 3 10' End > fan.mesh
+printf '%s\n' '0 0 -1 0' '1 0 1 0' '2 1 0 0' '3 -1 0 0' '4 -0.5 0 -0.9' '5 0.5 0 -0.9' > flat.handles
+expect 12 morph fan.mesh --handles flat.handles -o bad.mesh
+expect 0 morph fan.mesh --handles flat.handles --refine -o split.mesh --json split.json
+check "--refine: flips" test "$(value split.json flips)" = 0
+check "--refine: the new vertex is told" grep -q 'numbers from 6 to 6' split.json
+check "--refine: others arrive" arrive split.mesh flat.handles
+check "--refine: parts have the region of the whole" test \
+  "$(awk '$1 == "Tetrahedra" { getline count; for(i = 0; i < count; ++i) { getline; print $5 } }' split.mesh | sort -n | tr '\n' ' ')" = "7 7 8 8 9 9 10 10 "
+expect 12 map-volume fan.mesh flat.handles -o bad.mesh
+expect 0 map-volume fan.mesh flat.handles --refine -o split.mesh
+check "--refine: map-volume" arrive split.mesh flat.handles
 
 # The boundary of the bent bar in all ways in which it can be given: they are the same.
 expect 0 morph bar.mesh --handles surface.handles -o morphed.mesh --json morphed.json
