@@ -1036,7 +1036,7 @@ printf '%s\n' '0 0 -1 0' '1 0 1 0' '2 1 0 0' '3 -1 0 0' '4 -0.5 0 -0.9' '5 0.5 0
 expect 12 morph fan.mesh --handles flat.handles -o bad.mesh
 expect 0 morph fan.mesh --handles flat.handles --refine -o split.mesh --json split.json
 check "--refine: flips" test "$(value split.json flips)" = 0
-check "--refine: the new vertex is told" grep -q 'numbers from 6 to 6' split.json
+check "--refine: the new vertex is told" grep -q 'the new vertex has the number 6' split.json
 check "--refine: others arrive" arrive split.mesh flat.handles
 check "--refine: parts have the region of the whole" test \
   "$(awk '$1 == "Tetrahedra" { getline count; for(i = 0; i < count; ++i) { getline; print $5 } }' split.mesh | sort -n | tr '\n' ' ')" = "7 7 8 8 9 9 10 10 "

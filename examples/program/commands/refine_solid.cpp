@@ -143,7 +143,9 @@ void map_and_refine(bool refines, Solid_input& input, FFM::Tetrahedral_domain& v
     map();
   }
   const std::size_t added = input.solid.mesh.points.size() - number;
-  if(added > 0)
+  if(added == 1)
+    add_note(summary.message, "an edge was split at its middle; the new vertex has the number " + std::to_string(number));
+  else if(added > 1)
     add_note(summary.message, std::to_string(added) + " edges were split at their middles; the new vertices have the numbers from " +
                                 std::to_string(number) + " to " + std::to_string(number + added - 1));
 }
