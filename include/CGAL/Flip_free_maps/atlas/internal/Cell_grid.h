@@ -23,7 +23,7 @@ namespace internal {
 class Cell_grid
 {
 public:
-  // All are free. The number of cells along a side is a multiple of 64.
+  // All are free, so many along a side.
   explicit Cell_grid(int size = 0);
 
   int size() const { return m_size; }

@@ -23,7 +23,7 @@ namespace Flip_free_maps {
 namespace internal {
 
 CGAL_FLIP_FREE_MAPS_INLINE Cell_grid::Cell_grid(int size)
-  : m_size(size), m_words(size / BITS), m_cells(std::size_t(size) * m_words, 0), m_places(m_words), m_taken(m_words + 1)
+  : m_size(size), m_words((size + BITS - 1) / BITS), m_cells(std::size_t(size) * m_words, 0), m_places(m_words), m_taken(m_words + 1)
 {
   for(int rows = 1; rows <= (std::min)(size, Cell_figure::HIGHEST_BLOCK); rows *= 2) {
     m_longest_free.emplace_back(size - rows + 1, size);

@@ -97,7 +97,8 @@ private:
   double m_scale = -1;
   std::vector<std::size_t> m_order, m_best_order;
   std::vector<Outline_place> m_places;
-  int m_size = 0;                                                   // cells along a side of the grid
+  int m_size = 0;                                                   // about how many cells are along a side of the grid
+  int m_grid_size = 0;                                              // and how many are
   std::vector<std::vector<Turned_figure>> m_figures;                // by chart and orientation
   double m_figures_scale = -1;                                      // cells of a unit of length
   double m_turn = 0, m_best_turn = 0;                               // of all orientations, in parts of the angle between two of them

@@ -135,7 +135,7 @@ CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Turned_figure& Outline_packer::
   rotation << figure.turn.cosine, -figure.turn.sine, figure.turn.sine, figure.turn.cosine;
   rotation *= m_figures_scale;
   const Chart_outline& outline = m_outlines[c];
-  figure.cells = Cell_figure({rotation * outline.sources, rotation * outline.targets}, m_size);
+  figure.cells = Cell_figure({rotation * outline.sources, rotation * outline.targets}, m_grid_size);
   figure.is_known = true;
   m_work += 2 * outline.sources.cols();
   return figure;
@@ -149,12 +149,16 @@ CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::box_class(const Cell_figure& figu
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::function<bool()>& must_stop)
 {
-  if(scale * m_size != m_figures_scale || m_figures.empty()) {
+  // The distance is a whole number of cells if it is at least one, lest it be rounded up.
+  const int gap = static_cast<int>(m_distance * m_size);
+  const double cells_per_side = gap > 0 ? gap / m_distance : m_size, distance = gap > 0 ? gap : m_distance * m_size;
+  const int size = m_grid_size = static_cast<int>(cells_per_side);
+  if(scale * cells_per_side != m_figures_scale || m_figures.empty()) {
     m_figures.assign(m_outlines.size(), std::vector<Turned_figure>(m_orientations));
-    m_figures_scale = scale * m_size;
+    m_figures_scale = scale * cells_per_side;
   }
-  Cell_grid grid(m_size);
-  m_work += 2 * m_size; // what that costs, and an end to the search where nothing else does any work
+  Cell_grid grid(size);
+  m_work += 2 * size; // what that costs, and an end to the search where nothing else does any work
   std::vector<Outline_place> places(m_outlines.size());
   // By orientation and class of the box: below there was no room for another figure, and none is looked for if there are many.
   const bool are_few = m_outlines.size() <= FEW;
@@ -166,7 +170,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
       if(must_stop())
         return false;
       const Turned_figure* best = nullptr;
-      int best_top = m_size + 1, best_x = 0, best_y = 0;
+      int best_top = size + 1, best_x = 0, best_y = 0;
       for(int i = 0; i < m_orientations; ++i) {
         const Turned_figure& turned = figure(c, (m_first_orientation + i) % m_orientations);
         const int height = turned.cells.height();
@@ -175,7 +179,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
         int lowest = 0;
         int& y = are_few ? lowest : first_rows[i][box_class(turned.cells)];
         int x = -1;
-        while(y + height < best_top && y + height <= m_size && (x = grid.first_place(turned.cells, y)) < 0)
+        while(y + height < best_top && y + height <= size && (x = grid.first_place(turned.cells, y)) < 0)
           ++y;
         if(x < 0)
           continue;
@@ -189,14 +193,14 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
         m_room = placed_area / m_area;
         return false;
       }
-      grid.take(best->cells, best_x, best_y, m_distance * m_size);
+      grid.take(best->cells, best_x, best_y, distance);
       top = (std::max)(top, best_top);
       placed_area += m_areas[c];
       places[c] = best->turn;
-      places[c].x = static_cast<double>(best_x) / m_size;
-      places[c].y = static_cast<double>(best_y) / m_size;
+      places[c].x = best_x / cells_per_side;
+      places[c].y = best_y / cells_per_side;
     }
-    m_room = static_cast<double>(m_size) / top;
+    m_room = static_cast<double>(size) / top;
     return true;
   };
   const bool is_placed = place_all();
