@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 namespace program {
@@ -90,9 +89,7 @@ std::vector<FFM::Edge_split> obstructions(const Solid_input& input, const FFM::T
   std::vector<std::array<std::size_t, 2>> edges;
   for(const auto& edge : summary.impossible_edges)
     edges.push_back({{volume.vertices()[edge[0]], volume.vertices()[edge[1]]}});
-  std::vector<std::int64_t> elements = summary.impossible_elements;
-  elements.insert(elements.end(), summary.flipped_elements.begin(), summary.flipped_elements.end());
-  return FFM::splits_of_obstructions(input.solid.mesh, elements, edges);
+  return FFM::splits_of_obstructions(input.solid.mesh, summary, edges);
 }
 
 void split_solid(Solid_input& input, const std::vector<FFM::Edge_split>& splits)

@@ -76,11 +76,11 @@ std::vector<std::size_t> split_simplices(std::vector<std::array<int, N>>& simpli
 /// edges are on the boundary are of no help.
 ///
 /// \param mesh the solid at rest
-/// \param elements numbers of tetrahedra, see `Summary::impossible_elements` and `Summary::flipped_elements`
-/// \param impossible_edges pairs of vertices, see `Summary::impossible_edges`
+/// \param summary of the call, whose elements have the numbers of the mesh's tetrahedra
+/// \param impossible_edges those of the summary, by the mesh's numbers of vertices
 /// \returns the edges, each with a new vertex: the first has the number of points of the mesh
-template <typename Elements, typename Edges>
-std::vector<Edge_split> splits_of_obstructions(const Tetrahedral_mesh& mesh, const Elements& elements, const Edges& impossible_edges)
+template <typename Edges>
+std::vector<Edge_split> splits_of_obstructions(const Tetrahedral_mesh& mesh, const Summary& summary, const Edges& impossible_edges)
 {
   using Edge = std::array<int, 2>;
   const auto edge = [](int v, int w) { return Edge{{(std::min)(v, w), (std::max)(v, w)}}; };
@@ -91,7 +91,9 @@ std::vector<Edge_split> splits_of_obstructions(const Tetrahedral_mesh& mesh, con
   std::sort(on_boundary.begin(), on_boundary.end());
   for(const auto& ends : impossible_edges)
     chosen.push_back(edge(static_cast<int>(ends[0]), static_cast<int>(ends[1])));
-  for(const auto e : elements) {
+  std::vector<std::int64_t> elements = summary.impossible_elements;
+  elements.insert(elements.end(), summary.flipped_elements.begin(), summary.flipped_elements.end());
+  for(const std::int64_t e : elements) {
     const std::array<int, 4>& t = mesh.tetrahedra[static_cast<std::size_t>(e)];
     double longest = 0;
     Edge best{{-1, -1}};
@@ -126,9 +128,7 @@ std::vector<Edge_split> splits_of_obstructions(const Tetrahedral_mesh& mesh, con
 /// \returns the edges that were split, none if that does not help; it may take several rounds of calls and splits
 inline std::vector<Edge_split> refine_obstructions(Tetrahedral_mesh& mesh, const Summary& summary)
 {
-  std::vector<std::int64_t> elements = summary.impossible_elements;
-  elements.insert(elements.end(), summary.flipped_elements.begin(), summary.flipped_elements.end());
-  std::vector<Edge_split> splits = splits_of_obstructions(mesh, elements, summary.impossible_edges);
+  std::vector<Edge_split> splits = splits_of_obstructions(mesh, summary, summary.impossible_edges);
   for(const Edge_split& split : splits) {
     std::array<double, 3> middle;
     for(int c = 0; c < 3; ++c)
