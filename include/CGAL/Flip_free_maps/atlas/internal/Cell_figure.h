@@ -8,6 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_FIGURE_H
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_FIGURE_H
 
+#include <CGAL/Flip_free_maps/atlas/internal/bit_row.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 
 #include <array>
@@ -57,7 +58,8 @@ private:
   // Rounding of coordinates, in cells.
   static constexpr double SLACK = 1e-6;
 
-  void find_blocks();
+  // Of the rows' bits, so many words a row.
+  void find_blocks(const std::vector<Bit_word>& mask, int words);
 
   int m_width = 0, m_height = 0;
   std::vector<Cell_run> m_runs;

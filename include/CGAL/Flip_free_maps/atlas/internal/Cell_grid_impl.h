@@ -12,7 +12,6 @@
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,12 +22,30 @@ namespace Flip_free_maps {
 namespace internal {
 
 CGAL_FLIP_FREE_MAPS_INLINE Cell_grid::Cell_grid(int size)
-  : m_size(size), m_words((size + BITS - 1) / BITS), m_cells(std::size_t(size) * m_words, 0), m_places(m_words), m_taken(m_words + 1)
+  : m_size(size), m_words((size + BITS - 1) / BITS), m_places(m_words), m_union(m_words)
 {
+  for(int cells = 1; cells <= size; cells *= 2) {
+    m_taken.emplace_back(std::size_t(size) * (m_words + PADDING), 0);
+    m_is_old.emplace_back(size, 0);
+  }
   for(int rows = 1; rows <= (std::min)(size, Cell_figure::HIGHEST_BLOCK); rows *= 2) {
     m_longest_free.emplace_back(size - rows + 1, size);
-    m_is_old.emplace_back(size - rows + 1, 0);
+    m_is_bound.emplace_back(size - rows + 1, 0);
   }
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::clear()
+{
+  if(m_size == 0)
+    return;
+  std::fill(m_taken[0].begin(), m_taken[0].end(), 0);
+  for(std::vector<char>& is_old : m_is_old)
+    std::fill(is_old.begin(), is_old.end(), 1);
+  for(std::size_t k = 0; k < m_is_bound.size(); ++k) {
+    std::fill(m_longest_free[k].begin(), m_longest_free[k].end(), m_size);
+    std::fill(m_is_bound[k].begin(), m_is_bound[k].end(), 0);
+  }
+  m_work = 0;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Cell_grid::is_any_taken(int y, int first, int last)
@@ -42,42 +59,30 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Cell_grid::is_any_taken(int y, int first, int la
   return any != 0;
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE const Cell_grid::Word* Cell_grid::taken_within(int k, int y)
+{
+  Word* const words = row(y, k);
+  if(k == 0 || !m_is_old[k][y])
+    return words;
+  m_is_old[k][y] = 0;
+  const Word* const half = taken_within(k - 1, y);
+  const int cells = 1 << (k - 1), skip = cells / BITS, rest = cells % BITS;
+  for(int w = 0; w < m_words; ++w)
+    words[w] = half[w] | (w + skip < m_words ? bits_from(half + w + skip, rest) : 0);
+  m_work += m_words;
+  return words;
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::exclude(const Cell_run& run, int y, int& first_word, int& last_word)
 {
-  const Word* const words = row(y + run.row);
-  // The cells of the row from the first place's on.
-  const int shift = run.first / BITS, bits = run.first % BITS, length = run.length();
-  const int number = (std::min)(last_word - first_word + 1 + (length + BITS - 1) / BITS, m_words - first_word - shift);
-  Word* const taken = m_taken.data();
-  const Word* const from = words + first_word + shift;
-  if(bits == 0)
-    std::copy(from, from + number, taken);
-  else {
-    const bool is_end = first_word + shift + number == m_words;
-    for(int i = 0; i + 1 < number; ++i)
-      taken[i] = (from[i] >> bits) | (from[i + 1] << (BITS - bits));
-    taken[number - 1] = (from[number - 1] >> bits) | (is_end ? 0 : from[number] << (BITS - bits));
-  }
-  // Cells from which some of the next ones, as many as the run has, are taken.
-  for(int done = 1; done < length;) {
-    const int step = (std::min)(done, length - done), skip = step / BITS, rest = step % BITS;
-    int i = 0;
-    if(rest == 0)
-      for(; i + skip < number; ++i)
-        taken[i] |= taken[i + skip];
-    else {
-      for(; i + skip + 1 < number; ++i)
-        taken[i] |= (taken[i + skip] >> rest) | (taken[i + skip + 1] << (BITS - rest));
-      if(i + skip < number)
-        taken[i] |= taken[i + skip] >> rest;
-    }
-    done += step;
-    m_work += number;
-  }
-  m_work += 2 * number;
-  const int end = (std::min)(last_word, first_word + number - 1);
-  for(int i = first_word; i <= end; ++i)
-    m_places[i] &= ~taken[i - first_word];
+  // Two parts that overlap make up the run.
+  const int k = highest_bit(run.length()), second = run.last - (1 << k) + 1;
+  const Word* const taken = taken_within(k, y + run.row);
+  const Word *const p = taken + run.first / BITS, *const q = taken + second / BITS;
+  const int p_bits = run.first % BITS, q_bits = second % BITS;
+  m_work += last_word - first_word + 1;
+  for(int w = first_word; w <= last_word; ++w)
+    m_places[w] &= ~(bits_from(p + w, p_bits) | bits_from(q + w, q_bits));
   while(first_word <= last_word && m_places[first_word] == 0)
     ++first_word;
   while(last_word >= first_word && m_places[last_word] == 0)
@@ -87,19 +92,19 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::exclude(const Cell_run& run, int y, i
 CGAL_FLIP_FREE_MAPS_INLINE int Cell_grid::longest_free(int k, int y, int wanted)
 {
   int& known = m_longest_free[k][y];
-  if(known < wanted || !m_is_old[k][y])
+  if(known < wanted || !m_is_bound[k][y])
     return known;
-  m_is_old[k][y] = 0;
-  std::copy(row(y), row(y) + m_words, m_taken.begin());
+  m_is_bound[k][y] = 0;
+  std::copy(row(y), row(y) + m_words, m_union.begin());
   for(int i = 1; i < 1 << k; ++i) {
     const Word* const other = row(y + i);
     for(int w = 0; w < m_words; ++w)
-      m_taken[w] |= other[w];
+      m_union[w] |= other[w];
   }
   m_work += std::int64_t(m_words) << k;
   known = 0;
   int begin = 0; // of the run of free cells
-  for_each_run(m_taken.data(), m_words, [&](int first, int end) {
+  for_each_run(m_union.data(), m_words, [&](int first, int end) {
     known = (std::max)(known, first - begin);
     begin = end;
   });
@@ -129,7 +134,8 @@ CGAL_FLIP_FREE_MAPS_INLINE int Cell_grid::first_place(const Cell_figure& figure,
       return -1;
     int number = 0;
     for(int w = first; w <= last && number <= few; ++w)
-      number += static_cast<int>(std::bitset<BITS>(m_places[w]).count());
+      for(Word rest = m_places[w]; rest != 0 && number <= few; rest &= rest - 1)
+        ++number;
     are_few = number <= few;
   }
   for(int w = first; w <= last; ++w)
@@ -164,11 +170,13 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::take(const Cell_figure& figure, int x
     }
   }
   const int begin = (std::max)(0, y - reach), end = (std::min)(m_size, y + figure.height() + reach);
-  for(std::size_t k = 0; k < m_is_old.size(); ++k) {
-    std::vector<char>& is_old = m_is_old[k];
-    const int from = (std::max)(0, begin - (1 << k) + 1), to = (std::min)(end, static_cast<int>(is_old.size()));
+  for(std::vector<char>& is_old : m_is_old)
+    std::fill(is_old.begin() + begin, is_old.begin() + end, 1);
+  for(std::size_t k = 0; k < m_is_bound.size(); ++k) {
+    std::vector<char>& is_bound = m_is_bound[k];
+    const int from = (std::max)(0, begin - (1 << k) + 1), to = (std::min)(end, static_cast<int>(is_bound.size()));
     if(from < to)
-      std::fill(is_old.begin() + from, is_old.begin() + to, 1);
+      std::fill(is_bound.begin() + from, is_bound.begin() + to, 1);
   }
 }
 

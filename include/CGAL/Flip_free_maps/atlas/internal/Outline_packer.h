@@ -39,7 +39,7 @@ class Outline_packer
 public:
   // The work of the search on the coarse grid, in words of the grid. So much takes some tenths of a second; with 0 there is the
   // bisection only.
-  static constexpr std::int64_t MOST_WORK = 50000000;
+  static constexpr std::int64_t MOST_WORK = 30000000;
 
   // Charts keep the distance from each other; the square's side is 1. The orientations are evenly spaced, and all of them may be
   // turned further if charts turn freely.
@@ -98,7 +98,7 @@ private:
   std::vector<std::size_t> m_order, m_best_order;
   std::vector<Outline_place> m_places;
   int m_size = 0;                                                   // about how many cells are along a side of the grid
-  int m_grid_size = 0;                                              // and how many are
+  Cell_grid m_grid;
   std::vector<std::vector<Turned_figure>> m_figures;                // by chart and orientation
   double m_figures_scale = -1;                                      // cells of a unit of length
   double m_turn = 0, m_best_turn = 0;                               // of all orientations, in parts of the angle between two of them

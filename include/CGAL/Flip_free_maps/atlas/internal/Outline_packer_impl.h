@@ -135,7 +135,7 @@ CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Turned_figure& Outline_packer::
   rotation << figure.turn.cosine, -figure.turn.sine, figure.turn.sine, figure.turn.cosine;
   rotation *= m_figures_scale;
   const Chart_outline& outline = m_outlines[c];
-  figure.cells = Cell_figure({rotation * outline.sources, rotation * outline.targets}, m_grid_size);
+  figure.cells = Cell_figure({rotation * outline.sources, rotation * outline.targets}, m_grid.size());
   figure.is_known = true;
   m_work += 2 * outline.sources.cols();
   return figure;
@@ -152,12 +152,14 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
   // The distance is a whole number of cells if it is at least one, lest it be rounded up.
   const int gap = static_cast<int>(m_distance * m_size);
   const double cells_per_side = gap > 0 ? gap / m_distance : m_size, distance = gap > 0 ? gap : m_distance * m_size;
-  const int size = m_grid_size = static_cast<int>(cells_per_side);
+  const int size = static_cast<int>(cells_per_side);
   if(scale * cells_per_side != m_figures_scale || m_figures.empty()) {
     m_figures.assign(m_outlines.size(), std::vector<Turned_figure>(m_orientations));
     m_figures_scale = scale * cells_per_side;
   }
-  Cell_grid grid(size);
+  if(m_grid.size() != size)
+    m_grid = Cell_grid(size);
+  m_grid.clear();
   m_work += 2 * size; // what that costs, and an end to the search where nothing else does any work
   std::vector<Outline_place> places(m_outlines.size());
   // By orientation and class of the box: below there was no room for another figure, and none is looked for if there are many.
@@ -179,7 +181,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
         int lowest = 0;
         int& y = are_few ? lowest : first_rows[i][box_class(turned.cells)];
         int x = -1;
-        while(y + height < best_top && y + height <= size && (x = grid.first_place(turned.cells, y)) < 0)
+        while(y + height < best_top && y + height <= size && (x = m_grid.first_place(turned.cells, y)) < 0)
           ++y;
         if(x < 0)
           continue;
@@ -193,7 +195,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
         m_room = placed_area / m_area;
         return false;
       }
-      grid.take(best->cells, best_x, best_y, distance);
+      m_grid.take(best->cells, best_x, best_y, distance);
       top = (std::max)(top, best_top);
       placed_area += m_areas[c];
       places[c] = best->turn;
@@ -204,7 +206,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
     return true;
   };
   const bool is_placed = place_all();
-  m_work += grid.work();
+  m_work += m_grid.work();
   if(!is_placed)
     return false;
   m_scale = scale;

@@ -29,6 +29,22 @@ inline int lowest_bit(Bit_word word)
 #endif
 }
 
+// The number of the highest bit that is set; some is.
+inline int highest_bit(int number)
+{
+  int bit = 0;
+  while(number >>= 1)
+    ++bit;
+  return bit;
+}
+
+// The word that begins at a bit of another one.
+inline Bit_word bits_from(const Bit_word* word, int bit)
+{
+  // Shifted in two steps, since words cannot be shifted by their length.
+  return (word[0] >> bit) | (word[1] << 1 << (BITS_PER_WORD - 1 - bit));
+}
+
 // The bits of word number w between the first and the last one of a row.
 inline Bit_word bits_within(int w, int first, int last)
 {
