@@ -14,6 +14,8 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_maps.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_zipper.h>
+#include <CGAL/Flip_free_maps/cutting/internal/Cut_planner.h>
+#include <CGAL/Flip_free_maps/cutting/internal/Cut_surface.h>
 #include <CGAL/Flip_free_maps/cutting/internal/cut_mesh.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
@@ -73,7 +75,7 @@ public:
     m_faces = number_of_polygons(all);
     m_image.assign(all.size(), Image::Constant(std::numeric_limits<double>::quiet_NaN()));
     const std::vector<std::int32_t> others = keep_what_needs_no_seam(all);
-    cut_open();
+    cut_open(others);
     if(!m_summary.cut.is_valid())
       return fail(m_summary.cut.status, "the surface was not cut open: " + m_summary.cut.message);
     {
@@ -109,6 +111,32 @@ public:
   }
 
 private:
+  // Does the same for each of the first pieces of a queue, which leave it, at the same time if there are threads. The results are in
+  // the pieces' order, and effects are the caller's part, so that nothing depends on threads.
+  template <typename Result, typename Work>
+  std::vector<std::pair<Piece, Result>> work_on_some(std::deque<Piece>& queue, const Work& work)
+  {
+    // The method's observer sees pieces one by one. The numbers bound the memory for open pieces.
+    const bool is_parallel = !m_traits.options.observer && std::is_convertible<typename Traits::Concurrency_tag, CGAL::Parallel_tag>::value;
+    const std::size_t most = is_parallel ? MOST_PIECES : 1;
+    std::vector<std::pair<Piece, Result>> done;
+    for(std::size_t faces = 0; !queue.empty() && done.size() < most && faces < MOST_FACES; queue.pop_front()) {
+      faces += queue.front().faces.size();
+      done.emplace_back(std::move(queue.front()), Result());
+    }
+    m_charts_at_work = static_cast<int>(done.size());
+    report_progress();
+    const auto work_on_one = [&, binding = Deadline::state()](std::size_t i) {
+      const Bound_work bound(binding);
+      work(done[i].first, done[i].second);
+    };
+    if(m_options.observer)
+      for_each_index_watched<typename Traits::Concurrency_tag>(done.size(), work_on_one, [this] { watch(); });
+    else
+      for_each_index<typename Traits::Concurrency_tag>(done.size(), work_on_one);
+    return done;
+  }
+
   // Cuts sharp edges and creases, makes charts of pieces that need no seam, and returns the faces of all others.
   std::vector<std::int32_t> keep_what_needs_no_seam(const std::vector<std::int32_t>& all)
   {
@@ -120,34 +148,91 @@ private:
     std::deque<Piece> parts;
     parts.swap(m_queue);
     if(m_options.is_bounded()) {
-      for(const Piece& piece : parts) {
-        ask_deadline();
-        cut_creases(piece);
-      }
+      while(!parts.empty())
+        for(const auto& part : work_on_some<Seams>(parts, [this](const Piece&piece, Seams&seams) { seams = creases(piece); }))
+          for(const std::int32_t h : part.second)
+            mark_seam(h);
       enqueue_parts(all);
       parts.swap(m_queue);
-      m_queue.clear();
     }
-    for(Piece& piece : parts) {
-      ask_deadline();
-      if(!keep_holes(piece))
-        others.insert(others.end(), piece.faces.begin(), piece.faces.end());
-    }
+    while(!parts.empty())
+      for(auto& part : work_on_some<Flat_piece>(parts, [this](const Piece&piece, Flat_piece&flat) { keep_holes(piece, flat); })) {
+        if(part.second.is_mapped)
+          keep(part.first, part.second.open, part.second.x, part.second.chart);
+        else
+          others.insert(others.end(), part.first.faces.begin(), part.first.faces.end());
+      }
     return others;
   }
 
-  void cut_open()
+  // The seams of a piece, as halfedges of the surface, and what is said of them.
+  using Seams = std::vector<std::int32_t>;
+  struct Piece_cuts
+  {
+    Seams seams;
+    Cut_summary summary;
+    double area = 0;
+  };
+
+  // Cuts pieces open, and describes the surface as a whole.
+  void cut_open(const std::vector<std::int32_t>& faces)
   {
     const Phase_timer timer(m_summary.cut_seconds);
-    const std::vector<char> was_cut = m_is_cut;
-    Cut_options cut = m_options.cut;
-    cut.target_energy = first_target();
-    cut.cut_disks = cut.cut_disks || m_options.is_bounded();
-    m_summary.cut = cut_triangles(m_surface, m_is_cut, m_is_feature, cut, [this] { return must_stop(); });
-    m_summary.cut.seam_length = std::ldexp(m_summary.cut.seam_length, m_surface.exponent);
-    for(const Flat_chart& chart : m_charts)
-      for(const std::int32_t f : chart.faces)
-        std::copy(was_cut.begin() + 3 * f, was_cut.begin() + 3 * f + 3, m_is_cut.begin() + 3 * f);
+    Cut_summary& summary = m_summary.cut;
+    const Phase_timer cut_timer(summary.seconds);
+    Cut_options options = m_options.cut;
+    options.target_energy = first_target();
+    options.cut_disks = options.cut_disks || m_options.is_bounded();
+    Cut_surface whole;
+    summary.status = load_cut_surface(m_surface, m_is_cut, m_is_feature, whole, summary.message);
+    if(summary.is_valid())
+      describe_surface(whole, summary);
+    if(!summary.is_valid())
+      return;
+    summary.message = "no piece needed seams";
+    double area = 0, energy = 0;
+    enqueue_parts(faces);
+    std::deque<Piece> parts;
+    parts.swap(m_queue);
+    while(!parts.empty())
+      for(const auto& part : work_on_some<Piece_cuts>(
+            parts, [&](const Piece&piece, Piece_cuts&cuts) { cuts = cut(piece, open_surface(piece.faces), options); })) {
+        const Piece_cuts& cuts = part.second;
+        summary.status = cuts.summary.status;
+        summary.message = cuts.summary.message;
+        if(!summary.is_valid())
+          return;
+        for(const std::int32_t h : cuts.seams)
+          mark_seam(h);
+        summary.points += cuts.summary.points;
+        if(cuts.summary.expected_energy >= 0) {
+          area += cuts.area;
+          energy += cuts.area * cuts.summary.expected_energy;
+        }
+      }
+    if(area > 0)
+      summary.expected_energy = energy / area;
+    std::vector<char> is_cut(whole.number_of_edges());
+    for(std::int32_t e = 0; e < whole.number_of_edges(); ++e)
+      is_cut[e] = m_is_cut[whole.edge_halfedge[e]];
+    describe_seams(whole, is_cut, summary);
+    summary.seam_length = std::ldexp(summary.seam_length, m_surface.exponent);
+  }
+
+  // Plans seams of a piece.
+  Piece_cuts cut(const Piece& piece, const Linked_triangles& open, const Cut_options& options)
+  {
+    const std::int32_t size = static_cast<std::int32_t>(open.opposite.size());
+    std::vector<char> is_cut(size, 0), is_feature(size);
+    for(std::int32_t h = 0; h < size; ++h)
+      is_feature[h] = m_is_feature[original_halfedge(piece, h)];
+    Piece_cuts cuts;
+    cuts.area = open.area();
+    cuts.summary = cut_triangles(open, is_cut, is_feature, options, [this] { return must_stop(); });
+    for(std::int32_t h = 0; h < size && cuts.summary.is_valid(); ++h)
+      if(is_cut[h])
+        cuts.seams.push_back(original_halfedge(piece, h));
+    return cuts;
   }
 
   void say_how_it_ended()
@@ -272,7 +357,8 @@ private:
   bool must_stop()
   {
     report_progress();
-    m_is_cut_short = m_is_cut_short || is_late();
+    if(is_late())
+      m_is_cut_short = true;
     return m_is_cut_short;
   }
 
@@ -433,49 +519,47 @@ private:
     return true;
   }
 
-  // A piece and its map, if it has one, and how good that is.
+  // A piece and its map, if it has one, how good that is, and what becomes of it: seams, along which it is cut, or a failure; else a
+  // chart.
   struct Flat_piece
   {
     Open_piece open;
     Positions<2> x;
     Chart_summary chart;
     bool is_mapped = false, is_inherited = false, is_overlapping = false;
-    bool is_ahead = false;   // a chart, as it seems, that waits for its turn to be decided
+    bool is_ahead = false;   // a chart, as it seems, that waits for its turn
     std::int32_t worst = -1; // the triangle that is distorted most
+    Seams seams;
+    int Unwrap_summary::*reason = nullptr; // for a split
+    bool is_cut = false;
+    Status failure = Status::success; // any other one is
+    std::string failure_message;
   };
 
-  // Flattens the first pieces of the queue, at the same time if there are threads, and keeps them as charts, cuts or splits them
-  // one by one, so that results do not depend on threads. False when none of that is possible.
+  // Flattens some pieces of the queue, and keeps them as charts, cuts or splits them one by one. False when none of that is possible.
   bool process_some()
   {
-    // The method's observer sees pieces one by one. The number bounds the memory for open pieces.
-    const std::size_t most =
-      m_traits.options.observer || !std::is_convertible<typename Traits::Concurrency_tag, CGAL::Parallel_tag>::value ? 1 : 64;
-    std::vector<Piece> pieces;
-    while(!m_queue.empty() && pieces.size() < most) {
-      pieces.push_back(std::move(m_queue.front()));
-      m_queue.pop_front();
-    }
-    m_charts_at_work = static_cast<int>(pieces.size());
-    report_progress();
-    std::vector<Flat_piece> flat(pieces.size());
-    const auto flatten_one = [&, binding = Deadline::state()](std::size_t i) {
-      const Bound_work work(binding);
-      flatten(pieces[i], flat[i]);
-      count_ahead(pieces[i], flat[i]);
-    };
-    if(m_options.observer)
-      for_each_index_watched<typename Traits::Concurrency_tag>(pieces.size(), flatten_one, [this] { watch(); });
-    else
-      for_each_index<typename Traits::Concurrency_tag>(pieces.size(), flatten_one);
-    for(std::size_t i = 0; i < pieces.size(); ++i) {
+    std::vector<std::pair<Piece, Flat_piece>> pieces = work_on_some<Flat_piece>(m_queue, [this](Piece& piece, Flat_piece& flat) {
+      flatten(piece, flat);
+      decide(piece, flat);
+      count_ahead(flat);
+    });
+    for(auto& [piece, flat] : pieces) {
       --m_charts_at_work;
-      if(flat[i].is_ahead) {
+      if(flat.is_ahead) {
         --m_charts_ahead;
-        m_faces_ahead -= flat[i].chart.faces;
+        m_faces_ahead -= flat.chart.faces;
       }
-      if(!decide(pieces[i], flat[i]))
-        return false;
+      if(flat.failure != Status::success)
+        return fail(flat.failure, flat.failure_message);
+      if(flat.reason != nullptr)
+        ++(m_summary.*flat.reason);
+      if(flat.is_cut) {
+        for(const std::int32_t h : flat.seams)
+          mark_seam(h);
+        enqueue_parts(piece.faces, piece);
+      } else
+        keep(piece, flat.open, flat.x, flat.chart);
     }
     return true;
   }
@@ -567,32 +651,32 @@ private:
     return std::any_of(all.begin(), all.end(), [&](const Crossing& c) { return !zipper.is_zippable(c.edges[0], c.edges[1]); });
   }
 
-  // For the observer a piece is a chart as soon as it is good enough.
-  void count_ahead(const Piece& piece, Flat_piece& flat)
+  // For the observer a piece is a chart as soon as that is decided.
+  void count_ahead(Flat_piece& flat)
   {
-    flat.is_ahead = flat.is_mapped && !flat.is_overlapping && (!is_too_distorted(flat.chart) || !can_be_split(piece));
+    flat.is_ahead = !flat.is_cut && flat.failure == Status::success;
     if(!flat.is_ahead)
       return;
     ++m_charts_ahead;
     m_faces_ahead += flat.chart.faces;
   }
 
-  bool decide(Piece& piece, Flat_piece& flat)
+  // What becomes of a piece.
+  void decide(Piece& piece, Flat_piece& flat)
   {
     const Open_piece& open = flat.open;
     Chart_summary& chart = flat.chart;
+    const auto face = [&] { return "face number " + std::to_string(m_surface.polygons[piece.faces[0]]); };
     if(chart.status == Status::out_of_memory || chart.status == Status::invalid_option ||
        (chart.status == Status::interrupted && !flat.is_inherited))
-      return fail(chart.status, chart.message);
+      return give_up(flat, chart.status, chart.message);
     if((chart.status == Status::not_a_disk || chart.status == Status::no_border) && !piece.was_cut) {
       Cut_options cut = m_options.cut;
       cut.branches = Cut_options::Branches::none;
       piece.was_cut = true;
-      bool is_cut = false;
-      if(!cut_again(piece, open, cut, is_cut))
-        return false;
-      enqueue_parts(piece.faces, piece);
-      return true;
+      cut_again(piece, flat, cut);
+      flat.is_cut = true;
+      return;
     }
     if(flat.is_inherited) {
       chart.status = Status::success;
@@ -600,87 +684,85 @@ private:
     }
     if(!flat.is_mapped && !flat.is_inherited) {
       if(!can_be_split(piece))
-        return fail(chart.status,
-                    "face number " + std::to_string(m_surface.polygons[piece.faces[0]]) + " cannot be flattened: " + chart.message);
-      ++m_summary.splits_of_failures;
-      return split(piece, open, {{0, 0}});
+        return give_up(flat, chart.status, face() + " cannot be flattened: " + chart.message);
+      return split(piece, flat, {{0, 0}}, &Unwrap_summary::splits_of_failures);
     }
     if(flat.is_overlapping) {
       if(!can_be_split(piece))
-        return fail(Status::result_not_representable,
-                    "face number " + std::to_string(m_surface.polygons[piece.faces[0]]) + " was not laid flat without overlaps");
-      ++m_summary.splits_of_overlaps;
+        return give_up(flat, Status::result_not_representable, face() + " was not laid flat without overlaps");
       piece.is_part = m_options.is_bounded() && excess(chart) < (piece.faces.size() > FEW_FACES ? WORST_EXCESS : 1);
-      return split(piece, open, overlaps(piece, open, flat.x));
+      return split(piece, flat, overlaps(piece, open, flat.x), &Unwrap_summary::splits_of_overlaps);
     }
     // Without time for flattening a part is as distorted as the whole.
     if(is_too_distorted(chart) && can_be_split(piece) && !is_late()) {
-      if(piece.recuts < MOST_RECUTS && open.is_mesh && m_options.cut.branches == Cut_options::Branches::extremities) {
-        Cut_options cut = m_options.cut;
-        cut.cut_disks = true;
-        cut.target_energy = piece.target > 0 ? piece.target : first_target();
-        ++piece.recuts;
-        // Less is expected in the proportion of what is wanted to what came out, and less again if that was so already.
-        double factor = CAUTION / excess(chart);
-        bool is_cut = false;
-        for(int i = 0; i < MOST_RECUTS && !is_cut; ++i, factor = 0.5) {
-          cut.target_energy = 1 + factor * (cut.target_energy - 1);
-          if(!cut_again(piece, open, cut, is_cut))
-            return false;
-        }
-        piece.target = cut.target_energy;
-        if(is_cut) {
-          piece.is_part = piece.faces.size() > FEW_FACES && excess(chart) < WORST_EXCESS;
-          enqueue_parts(piece.faces, piece);
-          return true;
-        }
-      }
-      ++m_summary.splits_of_distortion;
+      if(cut_for_less_distortion(piece, flat))
+        return;
       piece.is_part = false;
-      return split(piece, open, {{flat.worst, -1}});
+      return split(piece, flat, {{flat.worst, -1}}, &Unwrap_summary::splits_of_distortion);
     }
     if(is_too_long(piece, flat.x)) {
-      ++m_summary.splits_of_length;
       piece.is_part = true;
-      return split(piece, open, {{0, 0}});
+      split(piece, flat, {{0, 0}}, &Unwrap_summary::splits_of_length);
     }
-    keep(piece, open, flat.x, chart);
-    return true;
+  }
+
+  static void give_up(Flat_piece& flat, Status status, const std::string& message)
+  {
+    flat.failure = status;
+    flat.failure_message = message;
+  }
+
+  // Cuts a piece by more seams where less distortion is expected of them, and tells whether it found any, or failed.
+  bool cut_for_less_distortion(Piece& piece, Flat_piece& flat)
+  {
+    if(piece.recuts >= MOST_RECUTS || !flat.open.is_mesh || m_options.cut.branches != Cut_options::Branches::extremities)
+      return false;
+    Cut_options cut = m_options.cut;
+    cut.cut_disks = true;
+    cut.target_energy = piece.target > 0 ? piece.target : first_target();
+    ++piece.recuts;
+    // Less is expected in the proportion of what is wanted to what came out, and less again if that was so already.
+    double factor = CAUTION / excess(flat.chart);
+    for(int i = 0; i < MOST_RECUTS && !flat.is_cut && flat.failure == Status::success; ++i, factor = 0.5) {
+      cut.target_energy = 1 + factor * (cut.target_energy - 1);
+      cut_again(piece, flat, cut);
+    }
+    piece.target = cut.target_energy;
+    if(flat.is_cut)
+      piece.is_part = piece.faces.size() > FEW_FACES && excess(flat.chart) < WORST_EXCESS;
+    return flat.is_cut || flat.failure != Status::success;
   }
 
   // The energy that is expected when the surface is cut for the first time. Maps turn out better than that, since their borders
   // are free; those that do not are cut again.
   double first_target() const { return (std::min)(m_options.cut.target_energy, 1 + HOPE * (m_options.max_distortion - 1)); }
 
-  // Keeps a piece with its holes where joining the borders by seams gains nothing: where it is nearly flat.
-  bool keep_holes(Piece& piece)
+  // Flattens a piece with its holes where joining the borders by seams gains nothing: where it is nearly flat. It has no map else.
+  void keep_holes(const Piece& piece, Flat_piece& flat)
   {
+    ask_deadline();
     const double most_missing = 2 * CGAL_PI, most_energy = (std::min)(1.01, m_options.max_distortion);
     if(!m_options.cut.join_borders)
-      return false;
-    const Open_piece open = this->open(piece.faces);
-    if(!open.is_mesh || !(missing_angles(open) <= most_missing))
-      return false;
+      return;
+    flat.open = this->open(piece.faces);
+    if(!flat.open.is_mesh || !(missing_angles(flat.open) <= most_missing))
+      return;
     const double begin = wall_seconds();
-    Positions<2> x;
-    const Summary summary = flatten_piece(open, x);
+    const Summary summary = flatten_piece(flat.open, flat.x);
     if(!summary.is_valid())
-      return false;
-    Chart_summary chart;
+      return;
+    Chart_summary& chart = flat.chart;
     chart.status = summary.status;
     chart.message = summary.message;
     chart.faces = number_of_polygons(piece.faces);
     chart.iterations = summary.iterations;
-    const bool overlaps = !draw_apart(open, x);
-    measure(piece, open, x, chart);
-    if(!(chart.energy <= most_energy) || overlaps) {
+    const bool overlaps = !draw_apart(flat.open, flat.x);
+    measure(piece, flat.open, flat.x, chart);
+    flat.is_mapped = chart.energy <= most_energy && !overlaps;
+    if(!flat.is_mapped)
       for(const std::int32_t f : piece.faces)
         m_image[f].setConstant(std::numeric_limits<double>::quiet_NaN());
-      return false;
-    }
     chart.seconds = wall_seconds() - begin;
-    keep(piece, open, x, chart);
-    return true;
   }
 
   // Pairs of triangles that lie over each other where the border crosses itself, but only those that are no sides of a seam there, if
@@ -702,9 +784,9 @@ private:
 
   // Splits between pairs of triangles; the second is far from the first if there is none, and both from each other if they are the
   // same. Parts that will have new maps may not need more than the first split.
-  bool split(const Piece& piece, const Open_piece& open, std::vector<std::pair<std::int32_t, std::int32_t>> seeds)
+  void split(const Piece& piece, Flat_piece& flat, std::vector<std::pair<std::int32_t, std::int32_t>> seeds, int Unwrap_summary::*reason)
   {
-    Chart_splitter splitter(open.surface);
+    Chart_splitter splitter(flat.open.surface);
     std::pair<std::int32_t, std::int32_t>& first = seeds.front();
     if(first.second < 0)
       first.second = splitter.farthest_from(first.first);
@@ -715,9 +797,9 @@ private:
     if(edges.empty())
       edges = splitter.around(seeds.front().first);
     for(const Chart_splitter::Edge& edge : edges)
-      mark_seam(original_halfedge(piece, edge.halfedge));
-    enqueue_parts(piece.faces, piece);
-    return true;
+      flat.seams.push_back(original_halfedge(piece, edge.halfedge));
+    flat.is_cut = true;
+    flat.reason = reason;
   }
 
   // Cuts the surface along the edges that are to be seams because of their angle.
@@ -737,40 +819,36 @@ private:
            turning_angle(m_surface.triangles[h / 3], m_surface.triangles[m_surface.opposite[h] / 3], m_surface.points) >= angle;
   }
 
-  // Cuts a piece of flat and rolled regions between creases.
-  void cut_creases(const Piece& piece)
+  // The creases along which a piece of flat and rolled regions is to be cut.
+  Seams creases(const Piece& piece)
   {
+    ask_deadline();
+    Seams seams;
     bool is_any = false;
     for(std::size_t i = 0; i < piece.faces.size() && !is_any; ++i)
       for(std::int32_t h = 3 * piece.faces[i]; h < 3 * piece.faces[i] + 3; ++h)
         is_any = is_any || (neighbor(h) >= 0 && turns_by(h, m_options.crease_angle));
-    if(!is_any)
-      return;
-    const Open_piece open = this->open(piece.faces);
-    for(const std::int32_t h : Chart_creases(open.surface, m_options.crease_angle).cuts())
-      mark_seam(original_halfedge(piece, h));
+    if(is_any) {
+      const Linked_triangles open = open_surface(piece.faces);
+      for(const std::int32_t h : Chart_creases(open, m_options.crease_angle).cuts())
+        seams.push_back(original_halfedge(piece, h));
+    }
+    return seams;
   }
 
-  // Cuts a piece by more seams, and tells whether there are any: the parts of a split surface need not be disks, and the
-  // distortion that was expected is not the true one.
-  bool cut_again(const Piece& piece, const Open_piece& open, const Cut_options& cut, bool& is_cut_anew)
+  // Cuts a piece by more seams if there are any: the parts of a split surface need not be disks, and the distortion that was expected
+  // is not the true one.
+  void cut_again(const Piece& piece, Flat_piece& flat, const Cut_options& options)
   {
-    const std::int32_t size = static_cast<std::int32_t>(open.surface.opposite.size());
-    std::vector<char> is_cut(size, 0), is_feature(size);
-    for(std::int32_t h = 0; h < size; ++h)
-      is_feature[h] = m_is_feature[original_halfedge(piece, h)];
-    const Cut_summary summary = cut_triangles(open.surface, is_cut, is_feature, cut, [this] { return must_stop(); });
-    if(!summary.is_valid())
-      return fail(summary.status, "a part of the surface was not cut open: " + summary.message);
-    is_cut_anew = false;
-    for(std::int32_t h = 0; h < size; ++h)
-      if(is_cut[h]) {
-        mark_seam(original_halfedge(piece, h));
-        is_cut_anew = true;
-      }
-    return true;
+    Piece_cuts cuts = cut(piece, flat.open.surface, options);
+    if(!cuts.summary.is_valid())
+      return give_up(flat, cuts.summary.status, "a part of the surface was not cut open: " + cuts.summary.message);
+    flat.seams.swap(cuts.seams);
+    flat.is_cut = !flat.seams.empty();
   }
 
+  // Pieces at work at the same time, and their triangles.
+  static constexpr std::size_t MOST_PIECES = 256, MOST_FACES = 100000;
   static constexpr int MOST_RECUTS = 3;
   // Splits of a piece before its parts are looked at, and rounds in which the sides of seams are led apart.
   static constexpr int MOST_SPLITS = 64, MOST_ROUNDS = 3;
@@ -800,7 +878,7 @@ private:
   std::atomic<int> m_charts_ahead{0};
   std::atomic<std::int64_t> m_faces_ahead{0};
   const std::thread::id m_thread = std::this_thread::get_id();
-  bool m_is_cut_short = false;
+  std::atomic<bool> m_is_cut_short{false};
   std::atomic<double> m_late_since{0};
 };
 

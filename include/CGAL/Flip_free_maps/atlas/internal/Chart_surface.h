@@ -90,6 +90,9 @@ protected:
 
   void enqueue_parts(const std::vector<std::int32_t>& faces) { enqueue_parts(faces, Piece()); }
 
+  // Some faces, opened along their seams.
+  Linked_triangles open_surface(const std::vector<std::int32_t>& faces);
+
   Open_piece open(const std::vector<std::int32_t>& faces);
 
   // A seam of a single edge opens nothing where no other seam meets it: both of its sides have the same vertices. They are joined.

@@ -101,10 +101,9 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_surface::close_slits(Linked_triangles& ope
   }
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Open_piece Chart_surface::open(const std::vector<std::int32_t>& faces)
+CGAL_FLIP_FREE_MAPS_INLINE Linked_triangles Chart_surface::open_surface(const std::vector<std::int32_t>& faces)
 {
-  Open_piece piece;
-  Linked_triangles& open = piece.surface;
+  Linked_triangles open;
   const std::size_t m = faces.size();
   for(std::size_t e = 0; e < m; ++e)
     m_place[faces[e]] = static_cast<std::int32_t>(e);
@@ -124,12 +123,21 @@ CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Open_piece Chart_surface::open(const s
     open.triangles[i / 3][i % 3] = vertices[i];
   close_slits(open);
   open.points.resize(3, first_corners.size());
-  std::vector<Vertex> mesh_vertices;
   for(std::size_t v = 0; v < first_corners.size(); ++v) {
     const std::int32_t c = first_corners[v];
     open.points.col(v) = m_surface.points.col(m_surface.triangles[faces[c / 3]][c % 3]);
-    mesh_vertices.push_back(piece.mesh.add_vertex({open.points(0, v), open.points(1, v), open.points(2, v)}));
   }
+  return open;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE Chart_surface::Open_piece Chart_surface::open(const std::vector<std::int32_t>& faces)
+{
+  Open_piece piece;
+  piece.surface = open_surface(faces);
+  const Linked_triangles& open = piece.surface;
+  std::vector<Vertex> mesh_vertices;
+  for(Eigen::Index v = 0; v < open.points.cols(); ++v)
+    mesh_vertices.push_back(piece.mesh.add_vertex({open.points(0, v), open.points(1, v), open.points(2, v)}));
   for(const auto& t : open.triangles)
     piece.is_mesh = piece.is_mesh && piece.mesh.add_face(mesh_vertices[t[0]], mesh_vertices[t[1]], mesh_vertices[t[2]]).is_valid();
   piece.border.load(open.triangles, open.opposite, static_cast<std::int32_t>(open.points.cols()));

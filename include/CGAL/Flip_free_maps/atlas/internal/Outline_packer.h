@@ -39,7 +39,7 @@ class Outline_packer
 public:
   // The work of the search on the coarse grid, in words of the grid. So much takes some tenths of a second; with 0 there is the
   // bisection only.
-  static constexpr std::int64_t MOST_WORK = 30000000;
+  static constexpr std::int64_t MOST_WORK = 40000000;
 
   // Charts keep the distance from each other; the square's side is 1. The orientations are evenly spaced, and all of them may be
   // turned further if charts turn freely.
@@ -97,7 +97,7 @@ private:
   double m_scale = -1;
   std::vector<std::size_t> m_order, m_best_order;
   std::vector<Outline_place> m_places;
-  int m_size = 0;                                                   // about how many cells are along a side of the grid
+  int m_size = 0; // about how many cells are along a side of the grid
   Cell_grid m_grid;
   std::vector<std::vector<Turned_figure>> m_figures;                // by chart and orientation
   double m_figures_scale = -1;                                      // cells of a unit of length

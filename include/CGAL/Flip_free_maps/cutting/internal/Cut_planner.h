@@ -101,6 +101,12 @@ private:
   std::vector<int> m_points_of_piece;
 };
 
+// Counts components, borders and handles. The status tells of sheets that meet at a vertex.
+void describe_surface(const Cut_surface& surface, Cut_summary& summary);
+
+// Counts seams, the new ones and those that were there before, and the pieces that they leave, which are returned.
+Cut_opening describe_seams(const Cut_surface& surface, const std::vector<char>& is_cut, Cut_summary& summary);
+
 // Plans the seams of a surface and checks them. On success `is_cut` tells the new seams.
 void plan_cuts(const Cut_surface& surface, const Cut_options& options, std::vector<char>& is_cut, Cut_summary& summary,
                const std::function<bool()>& must_stop = nullptr);

@@ -282,24 +282,22 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cut_planner::reach_distorted_places(Cut_potentia
   }
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void plan_cuts(const Cut_surface& surface, const Cut_options& options, std::vector<char>& is_cut,
-                                          Cut_summary& summary, const std::function<bool()>& must_stop)
+CGAL_FLIP_FREE_MAPS_INLINE void describe_surface(const Cut_surface& surface, Cut_summary& summary)
 {
-  const auto fail = [&summary](Status status, const char* message) {
-    summary.status = status;
-    summary.message = message;
-  };
   const Cut_opening whole(surface, std::vector<char>(surface.number_of_edges(), 0));
-  if(whole.number_of_copies() != surface.number_of_vertices())
-    return fail(Status::non_manifold, "several sheets of the surface meet at a vertex");
+  if(whole.number_of_copies() != surface.number_of_vertices()) {
+    summary.status = Status::non_manifold;
+    summary.message = "several sheets of the surface meet at a vertex";
+    return;
+  }
   summary.components = whole.number_of_pieces();
   summary.borders = whole.number_of_loops();
   summary.genus = std::accumulate(whole.genus_of_piece.begin(), whole.genus_of_piece.end(), 0);
+  summary.status = Status::success;
+}
 
-  Cut_planner planner(surface, options, must_stop);
-  planner.plan(summary);
-  is_cut = planner.is_cut();
-
+CGAL_FLIP_FREE_MAPS_INLINE Cut_opening describe_seams(const Cut_surface& surface, const std::vector<char>& is_cut, Cut_summary& summary)
+{
   std::vector<char> all = is_cut;
   for(std::size_t e = 0; e < all.size(); ++e) {
     summary.user_seam_edges += surface.is_seam[e] != 0;
@@ -312,12 +310,27 @@ CGAL_FLIP_FREE_MAPS_INLINE void plan_cuts(const Cut_surface& surface, const Cut_
   const Cut_opening result(surface, all);
   summary.pieces = result.number_of_pieces();
   summary.borders_of_pieces = result.number_of_loops();
+  return result;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void plan_cuts(const Cut_surface& surface, const Cut_options& options, std::vector<char>& is_cut,
+                                          Cut_summary& summary, const std::function<bool()>& must_stop)
+{
+  describe_surface(surface, summary);
+  if(!summary.is_valid())
+    return;
+  Cut_planner planner(surface, options, must_stop);
+  planner.plan(summary);
+  is_cut = planner.is_cut();
+  const Cut_opening result = describe_seams(surface, is_cut, summary);
   for(std::int32_t p = 0; p < result.number_of_pieces(); ++p) {
     const std::int32_t loops = result.loops_of_piece[p];
-    if(result.genus_of_piece[p] != 0 || loops == 0 || (options.join_borders && loops != 1))
-      return fail(Status::not_a_disk, "the seams that were found do not cut the surface to disks");
+    if(result.genus_of_piece[p] != 0 || loops == 0 || (options.join_borders && loops != 1)) {
+      summary.status = Status::not_a_disk;
+      summary.message = "the seams that were found do not cut the surface to disks";
+      return;
+    }
   }
-  summary.status = Status::success;
   summary.message = options.join_borders ? "cut to disks" : "cut to disks with holes";
 }
 
