@@ -79,7 +79,7 @@ Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, cons
     return summary;
   }
   std::vector<internal::Flat_chart> charts = internal::separate_charts(elements, numbers.positions());
-  internal::pack_flat_charts<typename boost::property_traits<HalfedgeUVMap>::value_type>(charts, options, summary);
+  internal::pack_flat_charts(charts, options, internal::as_rounded_by<typename boost::property_traits<HalfedgeUVMap>::value_type>, summary);
   if(!summary.is_valid())
     return summary;
   internal::write_charts(charts, uv_map, [&](std::int32_t face, int k) { return corners[face][k]; });

@@ -90,7 +90,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Packing_summary pack_charts(Textured_mesh& mesh, cons
     }
   Positions<2> x = numbers.positions();
   std::vector<internal::Flat_chart> charts = internal::separate_charts(elements, x);
-  internal::pack_flat_charts<std::array<double, 2>>(charts, options, summary);
+  internal::pack_flat_charts(charts, options, internal::as_rounded_by<std::array<double, 2>>, summary);
   if(!summary.is_valid())
     return summary;
   for(const internal::Flat_chart& chart : charts)

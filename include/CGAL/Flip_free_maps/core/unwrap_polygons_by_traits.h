@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_BY_TRAITS_H
 #define CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_BY_TRAITS_H
 
-#include <CGAL/Flip_free_maps/atlas/internal/Chart_atlas.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Chart_atlas_by_traits.h>
 #include <CGAL/Flip_free_maps/core/unwrap_polygons.h>
 #include <CGAL/Flip_free_maps/domains/internal/Surface_view.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
@@ -26,10 +26,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The same with traits of the caller's. `Point` has the precision of the numbers that receive the atlas.
-template <typename Point, typename Traits>
-void unwrap_polygons_as(const Atlas_request& request, const Unwrap_options& options, const Traits& traits, Atlas_result& result,
-                        Unwrap_summary& summary)
+// The same with traits of the caller's, and rounded to the numbers that receive the atlas.
+template <typename Traits>
+void unwrap_polygons_as(const Rounding& rounded, const Atlas_request& request, const Unwrap_options& options, const Traits& traits,
+                        Atlas_result& result, Unwrap_summary& summary)
 {
   const double begin = wall_seconds();
   const Deadline deadline(options.max_seconds);
@@ -40,14 +40,14 @@ void unwrap_polygons_as(const Atlas_request& request, const Unwrap_options& opti
   if(summary.status != Status::success)
     return;
   const Linked_triangles& triangles = view.triangles();
-  Chart_atlas<Traits> atlas(triangles, begin, traits, options, summary);
+  Chart_atlas_by_traits<Traits> atlas(triangles, begin, traits, options, summary);
   for(const std::int32_t side : request.seams)
     if(view.halfedge_of_side(side) >= 0)
       atlas.mark_seam(view.halfedge_of_side(side));
   for(const std::int32_t side : request.features)
     if(view.halfedge_of_side(side) >= 0)
       atlas.mark_feature(view.halfedge_of_side(side));
-  const bool is_done = atlas.template run<Point>();
+  const bool is_done = atlas.run(rounded);
   if(is_done) {
     std::vector<std::int32_t> chart_of(triangles.triangles.size());
     std::vector<std::array<double, 2>> images(3 * triangles.triangles.size());
@@ -82,9 +82,9 @@ void unwrap_polygons(const Atlas_request& request, const Unwrap_options& options
 {
   const auto run = [&] {
     if(request.is_single_precision)
-      unwrap_polygons_as<std::array<float, 2>>(request, options, traits, result, summary);
+      unwrap_polygons_as(as_rounded_by<std::array<float, 2>>, request, options, traits, result, summary);
     else
-      unwrap_polygons_as<std::array<double, 2>>(request, options, traits, result, summary);
+      unwrap_polygons_as(as_rounded_by<std::array<double, 2>>, request, options, traits, result, summary);
   };
   catch_out_of_memory(run, summary);
 }
