@@ -108,8 +108,9 @@ void add(const Part& part, FFM::Unwrap_summary& sum)
   add_count(sum.seam_edges, summary.seam_edges);
   sum.seam_length = (std::max)(sum.seam_length, 0.) + summary.seam_length;
   sum.charts.insert(sum.charts.end(), summary.charts.begin(), summary.charts.end());
-  for(const auto member : {&FFM::Unwrap_summary::splits_of_overlaps, &FFM::Unwrap_summary::splits_of_distortion,
-                           &FFM::Unwrap_summary::splits_of_length, &FFM::Unwrap_summary::splits_of_failures})
+  for(const auto member :
+      {&FFM::Unwrap_summary::splits_of_overlaps, &FFM::Unwrap_summary::splits_of_distortion, &FFM::Unwrap_summary::splits_of_length,
+       &FFM::Unwrap_summary::splits_of_failures, &FFM::Unwrap_summary::splits_for_packing, &FFM::Unwrap_summary::joined_charts})
     sum.*member += summary.*member;
   for(const auto member : {&FFM::Unwrap_summary::cut_seconds, &FFM::Unwrap_summary::flatten_seconds, &FFM::Unwrap_summary::pack_seconds,
                            &FFM::Unwrap_summary::certify_seconds})

@@ -439,6 +439,43 @@ BOOST_AUTO_TEST_CASE(seams_of_the_user)
     BOOST_TEST((!block.user[e] || block.seam[e]));
 }
 
+BOOST_AUTO_TEST_CASE(small_charts_are_joined)
+{
+  // Waves on a torus, whose tight bound leaves small charts at the ends of splits.
+  Soup soup = torus_soup(60, 24);
+  for(std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Mesh::Point& p = soup.points[i];
+    const double wave = 1 + 0.1 * std::sin(14 * p.x() + 6 * p.y()) * std::sin(10 * p.y() - 8 * p.z());
+    soup.points[i] = Mesh::Point(wave * p.x(), wave * p.y(), wave * p.z());
+  }
+  FFM::Unwrap_options options;
+  options.max_distortion = 1.005;
+  Atlas_surface torus(soup);
+  const FFM::Unwrap_summary summary = torus.unwrap(options);
+  check_atlas(torus, summary);
+  BOOST_TEST(summary.joined_charts > 0);
+  for(const FFM::Chart_summary& chart : summary.charts)
+    BOOST_TEST(chart.energy <= options.max_distortion);
+
+  // Not across seams that are asked for.
+  Soup flat = sheet_soup(12, 12, {});
+  for(auto& p : flat.points)
+    p = Mesh::Point(p.x(), p.y(), 0);
+  Atlas_surface sheet(flat);
+  for(const auto e : sheet.mesh.edges()) {
+    const auto p = sheet.mesh.point(sheet.mesh.vertex(e, 0)), q = sheet.mesh.point(sheet.mesh.vertex(e, 1));
+    const auto is_side = [&](int c, double at) {
+      return p[c] == at && q[c] == at && (std::min)(p[1 - c], q[1 - c]) >= 5 && (std::max)(p[1 - c], q[1 - c]) <= 6;
+    };
+    sheet.user[e] = is_side(0, 5) || is_side(0, 6) || is_side(1, 5) || is_side(1, 6);
+  }
+  const FFM::Unwrap_summary kept = sheet.unwrap();
+  check_atlas(sheet, kept);
+  BOOST_TEST(kept.charts.size() == 2u);
+  BOOST_TEST(kept.joined_charts == 0);
+  BOOST_TEST(kept.seam_edges == 4);
+}
+
 BOOST_AUTO_TEST_CASE(packing)
 {
   Atlas_surface surface(together(plate_soup(2), ball_soup()));

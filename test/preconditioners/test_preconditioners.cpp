@@ -227,6 +227,28 @@ void check_slim()
   }
 }
 
+// 2 |W dJ|^2 with W^2 = U diag(psi_i / (2 (s_i - 1))) U^T has the Hessian 2 W^2 on each column of dJ, whatever the column.
+template <int D>
+void check_slim_in_all_directions()
+{
+  for(const Matrix<D>& J : jacobian_samples<D>(true)) {
+    const Eigen::JacobiSVD<Matrix<D>> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Vector<D> weights;
+    for(int i = 0; i < D; ++i) {
+      const double s = svd.singularValues()[i];
+      weights[i] = std::abs(s - 1) > 1e-7 ? (s - std::pow(s, -3)) / (D * (s - 1)) : 4. / D;
+    }
+    const Matrix<D> proxy = svd.matrixU() * weights.asDiagonal() * svd.matrixU().transpose();
+    const Full_matrix<D> full = full_matrix<D>(FFM::Slim(), FFM::Symmetric_dirichlet(), J);
+    for(int i = 0; i < D; ++i)
+      for(int j = 0; j < D; ++j) {
+        Matrix<D> dJ = Matrix<D>::Zero();
+        dJ(i, j) = 1;
+        BOOST_TEST((full * vec<D>(dJ) - vec<D>(proxy * dJ)).norm() <= 1e-6 * proxy.norm());
+      }
+  }
+}
+
 // Singular values around 1, where the weights are quotients of vanishing numbers.
 template <int D>
 void check_slim_near_isometry()
@@ -349,6 +371,12 @@ BOOST_AUTO_TEST_CASE(slim_reproduces_the_gradient)
 {
   check_slim<2>();
   check_slim<3>();
+}
+
+BOOST_AUTO_TEST_CASE(slim_is_the_weighted_proxy)
+{
+  check_slim_in_all_directions<2>();
+  check_slim_in_all_directions<3>();
 }
 
 BOOST_AUTO_TEST_CASE(slim_near_isometry)

@@ -78,6 +78,7 @@ struct Unwrap_summary : Outcome
   int splits_of_length = 0;                           ///< how often a chart was split because of `Unwrap_options::max_length`
   int splits_for_packing = 0;                         ///< how often a chart was split because of `Unwrap_options::min_occupancy`
   int splits_of_failures = 0;                         ///< how often a chart was split because it could not be flattened
+  int joined_charts = 0;                              ///< how many charts were joined to larger ones again, since no bound asks for a seam
   double energy = -1;                                 ///< mean symmetric Dirichlet energy, weighted by areas on the surface
   std::int64_t flips = -1;                            ///< triangles that are not positively oriented, by exact predicates:
                                                       ///< 0 in every valid atlas
@@ -118,6 +119,7 @@ struct Unwrap_summary : Outcome
     visit("splits_of_length", splits_of_length, if_any(splits_of_length));
     visit("splits_for_packing", splits_for_packing, if_any(splits_for_packing));
     visit("splits_of_failures", splits_of_failures, if_any(splits_of_failures));
+    visit("joined_charts", joined_charts, if_any(joined_charts));
     visit("seconds", internal::Unwrap_seconds{cut_seconds, flatten_seconds, pack_seconds, certify_seconds, seconds}, if_valid);
     visit("cut", cut, Field_role::detail);
     visit("charts", charts, Field_role::detail);

@@ -81,6 +81,23 @@ private:
   // Flattens some pieces of the queue, and keeps them as charts, cuts or splits them one by one. False when none of that is possible.
   bool process_some();
 
+  // Joins small charts to their neighbors where that meets all bounds.
+  void join_crumbs();
+
+  // A small chart and a neighbor that it may be joined to, and what comes of it.
+  struct Join
+  {
+    std::size_t crumb, neighbor;
+    Seams seams;
+    std::vector<Image> images; // that the faces had before
+  };
+
+  // The next ones, no chart in two of them; `trials` counts those of each chart.
+  std::vector<Join> next_joins(std::vector<int>& trials) const;
+
+  // Whether the map of a union is as good as that of the neighbor, and that of the crumb as the bounds allow.
+  bool is_good_enough(const Join& join, const Piece& piece, const Flat_piece& flat) const;
+
   // For the observer a piece is a chart as soon as that is decided.
   void count_ahead(Flat_piece& flat);
 
@@ -96,10 +113,16 @@ private:
 
   // Pieces at work at the same time, and their triangles.
   static constexpr std::size_t MOST_PIECES = 256, MOST_FACES = 100000;
+  // What a crumb is: its polygons, its part of the area of all; and the part of its sides that closing a seam takes away.
+  static constexpr std::int64_t MOST_CRUMB_FACES = 64;
+  static constexpr double MOST_CRUMB_AREA = 0.01, LEAST_CONTACT = 0.2;
+  // Neighbors that are tried.
+  static constexpr int MOST_TRIALS = 2;
   // The mean energy from which on an atlas that was cut short is of no use.
   static constexpr double WORST_ENERGY = 2;
 
   Rounding m_rounded;
+  std::vector<char> m_is_given; // by halfedge, the seams that were asked for
 };
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CHART_ATLAS_IMPL_H
 
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_atlas.h>
+#include <CGAL/Flip_free_maps/atlas/internal/chart_contacts.h>
 #include <CGAL/Flip_free_maps/atlas/internal/pack_flat_charts.h>
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_planner.h>
 #include <CGAL/Flip_free_maps/cutting/internal/Cut_surface.h>
@@ -54,6 +55,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::run(const Rounding& rounded)
     while(!m_queue.empty())
       if(!process_some())
         return false;
+    join_crumbs();
   }
   {
     const Phase_timer timer(m_summary.pack_seconds);
@@ -83,6 +85,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<std::int32_t> Chart_atlas::keep_what_need
   const Phase_timer timer(m_summary.flatten_seconds);
   std::vector<std::int32_t> others;
   cut_sharp_edges();
+  m_is_given = m_is_cut;
   ask_deadline();
   enqueue_parts(all);
   std::deque<Piece> parts;
@@ -174,6 +177,103 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::process_some()
       keep(piece, flat.open, flat.x, flat.chart);
   }
   return true;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_atlas::Join> Chart_atlas::next_joins(std::vector<int>& trials) const
+{
+  std::vector<std::int32_t> chart_of(m_surface.triangles.size(), -1);
+  std::vector<std::size_t> crumbs;
+  for(std::size_t c = 0; c < m_charts.size(); ++c) {
+    for(const std::int32_t f : m_charts[c].faces)
+      chart_of[f] = static_cast<std::int32_t>(c);
+    const Chart_summary& chart = m_summary.charts[c];
+    if(!m_charts[c].faces.empty() && chart.faces <= MOST_CRUMB_FACES && chart.area <= MOST_CRUMB_AREA * m_area && trials[c] < MOST_TRIALS)
+      crumbs.push_back(c);
+  }
+  std::stable_sort(crumbs.begin(), crumbs.end(),
+                   [this](std::size_t a, std::size_t b) { return m_summary.charts[a].area < m_summary.charts[b].area; });
+  std::vector<char> is_busy(m_charts.size(), 0);
+  std::vector<Join> joins;
+  for(const std::size_t c : crumbs) {
+    if(is_busy[c])
+      continue;
+    double perimeter;
+    const std::vector<Chart_contact> contacts = chart_contacts(
+      m_surface, m_charts[c].faces, chart_of, [this](std::int32_t h) { return !m_is_given[h]; }, perimeter);
+    const std::size_t k = static_cast<std::size_t>(trials[c]);
+    if(k >= contacts.size() || contacts[k].length < LEAST_CONTACT * perimeter) {
+      trials[c] = MOST_TRIALS;
+      continue;
+    }
+    const std::size_t neighbor = static_cast<std::size_t>(contacts[k].neighbor);
+    if(is_busy[neighbor])
+      continue; // in a later round
+    ++trials[c];
+    if(m_charts[neighbor].faces.size() > FEW_FACES)
+      continue;
+    is_busy[c] = is_busy[neighbor] = 1;
+    joins.push_back({c, neighbor, contacts[k].halfedges, {}});
+  }
+  return joins;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::is_good_enough(const Join& join, const Piece& piece, const Flat_piece& flat) const
+{
+  const Chart_summary &crumb = m_summary.charts[join.crumb], &neighbor = m_summary.charts[join.neighbor];
+  const auto loss = [](const Chart_summary& chart) { return (chart.energy - 1) * chart.area; };
+  return flat.is_mapped && !flat.is_overlapping && !is_too_distorted(flat.chart) && !is_too_long(piece, flat.x) &&
+         loss(flat.chart) <= loss(neighbor) + (m_options.max_distortion - 1) * crumb.area;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_atlas::join_crumbs()
+{
+  if(!m_options.is_bounded())
+    return;
+  std::vector<int> trials(m_charts.size(), 0);
+  while(!is_late()) {
+    std::vector<Join> joins = next_joins(trials);
+    if(joins.empty())
+      break;
+    std::deque<Piece> unions;
+    for(Join& join : joins) {
+      for(const std::int32_t h : join.seams)
+        close_seam(h);
+      Piece piece;
+      for(const std::size_t c : {join.neighbor, join.crumb})
+        piece.faces.insert(piece.faces.end(), m_charts[c].faces.begin(), m_charts[c].faces.end());
+      std::sort(piece.faces.begin(), piece.faces.end());
+      for(const std::int32_t f : piece.faces)
+        join.images.push_back(m_image[f]);
+      unions.push_back(std::move(piece));
+    }
+    for(auto join = joins.begin(); !unions.empty();)
+      for(auto& [piece, flat] : work_on_some<Flat_piece>(unions, [this](Piece&p, Flat_piece&f) { flatten(p, f); })) {
+        if(is_good_enough(*join, piece, flat)) {
+          m_charts[join->neighbor] = {flat.open.surface.triangles, std::move(flat.x), std::move(piece.faces)};
+          m_summary.charts[join->neighbor] = flat.chart;
+          m_charts[join->crumb].faces.clear();
+          ++m_summary.joined_charts;
+        } else {
+          for(const std::int32_t h : join->seams)
+            mark_seam(h);
+          for(std::size_t i = 0; i < piece.faces.size(); ++i)
+            m_image[piece.faces[i]] = join->images[i];
+        }
+        ++join;
+      }
+    m_charts_at_work = 0;
+  }
+  std::size_t kept = 0;
+  for(std::size_t c = 0; c < m_charts.size(); ++c)
+    if(!m_charts[c].faces.empty()) {
+      if(c != kept) {
+        m_charts[kept] = std::move(m_charts[c]);
+        m_summary.charts[kept] = std::move(m_summary.charts[c]);
+      }
+      ++kept;
+    }
+  m_charts.resize(kept);
+  m_summary.charts.resize(kept);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_atlas::count_ahead(Flat_piece& flat)

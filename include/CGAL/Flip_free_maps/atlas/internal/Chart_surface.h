@@ -46,6 +46,9 @@ public:
   void mark_seam(std::int32_t h) { mark(m_is_cut, h); }
   void mark_feature(std::int32_t h) { mark(m_is_feature, h); }
 
+  // Closes a seam again that has two sides.
+  void close_seam(std::int32_t h) { m_is_cut[h] = m_is_cut[m_surface.opposite[h]] = 0; }
+
   // Whether the edge of a halfedge has two images, or is on a border of the surface.
   bool is_seam(std::int32_t h) const { return m_surface.opposite[h] < 0 || m_is_cut[h]; }
 

@@ -39,7 +39,7 @@ class Outline_packer
 public:
   // The work of the search on the coarse grid, in words of the grid. So much takes some tenths of a second; with 0 there is the
   // bisection only.
-  static constexpr std::int64_t MOST_WORK = 40000000;
+  static constexpr std::int64_t MOST_WORK = 60000000;
 
   // Charts keep the distance from each other; the square's side is 1. The orientations are evenly spaced, and all of them may be
   // turned further if charts turn freely.
