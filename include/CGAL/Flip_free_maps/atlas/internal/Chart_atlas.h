@@ -113,9 +113,10 @@ private:
 
   // Pieces at work at the same time, and their triangles.
   static constexpr std::size_t MOST_PIECES = 256, MOST_FACES = 100000;
-  // What a crumb is: its polygons, its part of the area of all; and the part of its sides that closing a seam takes away.
+  // What a crumb is: its polygons, and its part of the area of all and of its neighbor's; and the part of its sides that closing a seam
+  // takes away.
   static constexpr std::int64_t MOST_CRUMB_FACES = 64;
-  static constexpr double MOST_CRUMB_AREA = 0.01, LEAST_CONTACT = 0.2;
+  static constexpr double MOST_CRUMB_AREA = 0.01, MOST_OF_NEIGHBOR = 0.5, LEAST_CONTACT = 0.2;
   // Neighbors that are tried.
   static constexpr int MOST_TRIALS = 2;
   // The mean energy from which on an atlas that was cut short is of no use.

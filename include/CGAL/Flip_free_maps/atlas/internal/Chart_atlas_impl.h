@@ -209,7 +209,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_atlas::Join> Chart_atlas::next_join
     if(is_busy[neighbor])
       continue; // in a later round
     ++trials[c];
-    if(m_charts[neighbor].faces.size() > FEW_FACES)
+    if(m_charts[neighbor].faces.size() > FEW_FACES || m_summary.charts[c].area > MOST_OF_NEIGHBOR * m_summary.charts[neighbor].area)
       continue;
     is_busy[c] = is_busy[neighbor] = 1;
     joins.push_back({c, neighbor, contacts[k].halfedges, {}});

@@ -61,6 +61,9 @@ private:
   // The least gain that counts in the search and on the fine grid, and the most that is looked for there at first.
   static constexpr double SEARCH_STEP = 0.004, MOST_REFINEMENT = 0.12;
 
+  // Trials of the search at the same time, whatever the number of threads.
+  static constexpr std::size_t TRIALS = 4;
+
   // A chart in one orientation.
   struct Turned_figure
   {
@@ -69,25 +72,52 @@ private:
     Outline_place turn;
   };
 
+  // What a packing depends on but the scale: the order of the charts, the turn of all orientations, in parts of the angle between two
+  // of them, and the orientation that comes first where several do.
+  struct Plan
+  {
+    std::vector<std::size_t> order;
+    double turn = 0;
+    int first_orientation = 0;
+  };
+
+  // A packing by a plan, as far as it goes, and what it needs; such objects are used again, since figures and grids are expensive.
+  struct Attempt
+  {
+    Plan plan;
+    Cell_grid grid;
+    std::vector<std::vector<Turned_figure>> figures; // by chart and orientation
+    double figures_scale = -1;                       // cells of a unit of length
+    double figures_turn = 0;
+    std::vector<Outline_place> places;
+    std::size_t failed = (std::numeric_limits<std::size_t>::max)(); // the last chart that had no place
+    double room = 1; // the part of all charts' area that had a place, or would have had one if charts were larger
+    std::int64_t work = 0;
+  };
+
   // Charts whose boxes have the largest size come first.
   template <typename Size>
-  void sort(Size size);
+  std::vector<std::size_t> sorted(Size size) const;
 
   // The largest scale between two ones, to a tolerance.
   double bisect(double low, double high, double tolerance, const std::function<bool()>& must_stop);
 
-  // Looks for orders and orientations near the best ones that allow a larger scale, with a bounded amount of work.
+  // Looks for plans near the best ones that allow a larger scale, with a bounded amount of work.
   double search(double low, const std::function<bool()>& must_stop);
 
-  // Of the current scale.
-  const Turned_figure& figure(std::size_t c, int orientation);
+  const Turned_figure& figure(Attempt& attempt, std::size_t c, int orientation) const;
 
   // Figures of the same class have boxes of nearly the same width and height.
   static constexpr int CLASSES_PER_OCTAVE = 16, BOX_CLASSES = 12 * CLASSES_PER_OCTAVE;
   static int box_class(const Cell_figure& figure);
 
-  // Places all charts in the current order, if there is room.
+  // Places all charts, if there is room.
+  bool fits(Attempt& attempt, double scale, const std::function<bool()>& must_stop) const;
+
+  // The same, and remembers what fits.
   bool fits(double scale, const std::function<bool()>& must_stop);
+
+  void keep(double scale, Attempt& attempt);
 
   const std::vector<Chart_outline>& m_outlines;
   double m_distance;
@@ -95,19 +125,12 @@ private:
   bool m_turns_freely;
   std::int64_t m_most_work;
   double m_scale = -1;
-  std::vector<std::size_t> m_order, m_best_order;
   std::vector<Outline_place> m_places;
+  Plan m_best;
+  Attempt m_attempt;
   int m_size = 0; // about how many cells are along a side of the grid
-  Cell_grid m_grid;
-  std::vector<std::vector<Turned_figure>> m_figures;                // by chart and orientation
-  double m_figures_scale = -1;                                      // cells of a unit of length
-  double m_turn = 0, m_best_turn = 0;                               // of all orientations, in parts of the angle between two of them
-  int m_first_orientation = 0, m_best_orientation = 0;              // where several do
-  std::size_t m_failed = (std::numeric_limits<std::size_t>::max)(); // the last chart that had no place
-  double m_room = 1; // the part of all charts' area that had a place in the last attempt, or would have had one if charts were larger
   std::vector<double> m_areas;
   double m_area = 0;
-  std::int64_t m_work = 0;
 };
 
 } // namespace internal

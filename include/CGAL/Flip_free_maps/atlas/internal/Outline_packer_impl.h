@@ -9,9 +9,11 @@
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_OUTLINE_PACKER_IMPL_H
 
 #include <CGAL/Flip_free_maps/atlas/internal/Outline_packer.h>
+#include <CGAL/Flip_free_maps/internal/for_each_index.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <CGAL/number_type_config.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,16 +30,17 @@ namespace Flip_free_maps {
 namespace internal {
 
 template <typename Size>
-void Outline_packer::sort(Size size)
+std::vector<std::size_t> Outline_packer::sorted(Size size) const
 {
   std::vector<double> sizes;
   for(const Chart_outline& outline : m_outlines) {
     const Vector<2> box = outline.sources.rowwise().maxCoeff() - outline.sources.rowwise().minCoeff();
     sizes.push_back(size(box));
   }
-  m_order.resize(m_outlines.size());
-  std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-  std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  std::vector<std::size_t> order(m_outlines.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  return order;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::pack(double low, double high, const std::function<bool()>& must_stop)
@@ -52,25 +55,22 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::pack(double low, double high, co
   const bool are_many = n > many;
   m_size = n <= several ? 512 : 1024;
   const int fine_size = n <= FEW ? 1024 : 2048;
-  sort([](const Vector<2>& box) { return box.maxCoeff(); });
+  m_attempt.plan.order = sorted([](const Vector<2>& box) { return box.maxCoeff(); });
   low = bisect(low, high, are_many ? 3 * SCALE_TOLERANCE : SCALE_TOLERANCE, must_stop);
   if(m_most_work == 0)
     return m_scale > 0;
   if(!are_many) {
     // What fits does not depend on the scale monotonically, and other orders may do better.
     for(const double exponent : {0.25, 0.5, 1.}) {
-      sort([exponent](const Vector<2>& box) { return box.maxCoeff() * std::pow(box.minCoeff(), exponent); });
+      m_attempt.plan.order = sorted([exponent](const Vector<2>& box) { return box.maxCoeff() * std::pow(box.minCoeff(), exponent); });
       while(!must_stop() && fits(low * (1 + SCALE_TOLERANCE), must_stop))
         low *= 1 + SCALE_TOLERANCE;
     }
     low = search(low, must_stop);
   }
   m_size = fine_size;
-  if(m_scale > 0) {
-    m_order = m_best_order;
-    m_turn = m_best_turn;
-    m_first_orientation = m_best_orientation;
-  }
+  if(m_scale > 0)
+    m_attempt.plan = m_best;
   bisect(low, low * (1 + MOST_REFINEMENT), are_many ? 2 * SCALE_TOLERANCE : SEARCH_STEP, must_stop);
   return m_scale > 0;
 }
@@ -83,7 +83,7 @@ CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::bisect(double low, double high
     (fits(scale, must_stop) ? low : high) = scale;
     // Where the areas would just do, every other time.
     const double least = low * (1 + tolerance / 2), most = high / (1 + tolerance / 2);
-    next = is_guess || least > most ? std::sqrt(low * high) : (std::min)(most, (std::max)(least, scale * std::sqrt(m_room)));
+    next = is_guess || least > most ? std::sqrt(low * high) : (std::min)(most, (std::max)(least, scale * std::sqrt(m_attempt.room)));
   }
   return low;
 }
@@ -92,52 +92,69 @@ CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::search(double low, const std::
 {
   const std::size_t n = m_outlines.size();
   std::minstd_rand random;
-  std::vector<std::size_t> best = m_best_order.empty() ? m_order : m_best_order;
-  for(m_work = 0; m_work < m_most_work && !must_stop();) {
-    m_order = best;
-    // The chart that had no place comes earlier.
-    const auto failed = std::find(m_order.begin(), m_order.end(), m_failed);
-    if(failed != m_order.end() && failed != m_order.begin() && random() % 2 == 0)
-      std::rotate(m_order.begin() + random() % (failed - m_order.begin()), failed, failed + 1);
-    for(std::size_t swaps = random() % 3; swaps > 0; --swaps) {
-      const std::size_t a = random() % n, b = random() % n;
-      std::swap(m_order[a], m_order[b]);
+  if(m_scale <= 0)
+    m_best = m_attempt.plan;
+  std::vector<Attempt> attempts(TRIALS);
+  for(Attempt& attempt : attempts)
+    attempt.failed = m_attempt.failed;
+  for(std::int64_t work = 0; work < m_most_work && !must_stop();) {
+    for(Attempt& attempt : attempts) {
+      Plan& plan = attempt.plan;
+      plan.order = m_best.order;
+      // The chart that had no place comes earlier.
+      const auto failed = std::find(plan.order.begin(), plan.order.end(), attempt.failed);
+      if(failed != plan.order.end() && failed != plan.order.begin() && random() % 2 == 0)
+        std::rotate(plan.order.begin() + random() % (failed - plan.order.begin()), failed, failed + 1);
+      for(std::size_t swaps = random() % 3; swaps > 0; --swaps) {
+        const std::size_t a = random() % n, b = random() % n;
+        std::swap(plan.order[a], plan.order[b]);
+      }
+      plan.first_orientation = static_cast<int>(random() % m_orientations);
+      if(m_turns_freely && (n == 1 || random() % 4 == 0))
+        plan.turn = static_cast<double>(random() % 64) / 64;
     }
-    m_first_orientation = static_cast<int>(random() % m_orientations);
-    if(m_turns_freely && (n == 1 || random() % 4 == 0)) {
-      m_turn = static_cast<double>(random() % 64) / 64;
-      m_figures.clear();
+    // Each goes as far as it gets from the same scale, and the farthest counts.
+    std::vector<double> scales(TRIALS, 0.);
+    for_each_index<CGAL::Parallel_tag>(TRIALS, [&](std::size_t i) {
+      attempts[i].work = 0;
+      std::vector<Outline_place> places;
+      for(double scale = low * (1 + SEARCH_STEP); !must_stop() && fits(attempts[i], scale, must_stop); scale *= 1 + SEARCH_STEP) {
+        scales[i] = scale;
+        places.swap(attempts[i].places);
+      }
+      attempts[i].places.swap(places);
+    });
+    for(const Attempt& attempt : attempts)
+      work += attempt.work;
+    const std::size_t best = std::max_element(scales.begin(), scales.end()) - scales.begin();
+    if(scales[best] > 0) {
+      low = scales[best];
+      keep(low, attempts[best]);
     }
-    bool is_better = false;
-    while(!must_stop() && fits(low * (1 + SEARCH_STEP), must_stop)) {
-      low *= 1 + SEARCH_STEP;
-      is_better = true;
-    }
-    if(is_better)
-      best = m_order;
   }
   return low;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Turned_figure& Outline_packer::figure(std::size_t c, int orientation)
+CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Turned_figure& Outline_packer::figure(Attempt& attempt, std::size_t c,
+                                                                                       int orientation) const
 {
-  Turned_figure& figure = m_figures[c][orientation];
+  Turned_figure& figure = attempt.figures[c][orientation];
   if(figure.is_known)
     return figure;
   // Quarter turns are exact.
   const int quarter = 4 * orientation / m_orientations;
-  const double rest = 2 * CGAL_PI * (orientation + m_turn) / m_orientations - CGAL_PI / 2 * quarter;
+  const double rest = 2 * CGAL_PI * (orientation + attempt.plan.turn) / m_orientations - CGAL_PI / 2 * quarter;
   const double cosine = std::cos(rest), sine = std::sin(rest);
   const double cosines[] = {cosine, -sine, -cosine, sine}, sines[] = {sine, cosine, -sine, -cosine};
   figure.turn.cosine = cosines[quarter];
   figure.turn.sine = sines[quarter];
   Matrix<2> rotation;
   rotation << figure.turn.cosine, -figure.turn.sine, figure.turn.sine, figure.turn.cosine;
-  rotation *= m_figures_scale;
+  rotation *= attempt.figures_scale;
   const Chart_outline& outline = m_outlines[c];
-  figure.cells = Cell_figure({rotation * outline.sources, rotation * outline.targets}, m_grid.size());
+  figure.cells = Cell_figure({rotation * outline.sources, rotation * outline.targets}, attempt.grid.size());
   figure.is_known = true;
-  m_work += 2 * outline.sources.cols();
+  attempt.work += 2 * outline.sources.cols();
   return figure;
 }
 
@@ -147,20 +164,22 @@ CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::box_class(const Cell_figure& figu
   return BOX_CLASSES * size_class(figure.width()) + size_class(figure.height());
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::function<bool()>& must_stop)
+CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(Attempt& attempt, double scale, const std::function<bool()>& must_stop) const
 {
   // The distance is a whole number of cells if it is at least one, lest it be rounded up.
   const int gap = static_cast<int>(m_distance * m_size);
   const double cells_per_side = gap > 0 ? gap / m_distance : m_size, distance = gap > 0 ? gap : m_distance * m_size;
   const int size = static_cast<int>(cells_per_side);
-  if(scale * cells_per_side != m_figures_scale || m_figures.empty()) {
-    m_figures.assign(m_outlines.size(), std::vector<Turned_figure>(m_orientations));
-    m_figures_scale = scale * cells_per_side;
+  if(scale * cells_per_side != attempt.figures_scale || attempt.plan.turn != attempt.figures_turn) {
+    attempt.figures.assign(m_outlines.size(), std::vector<Turned_figure>(m_orientations));
+    attempt.figures_scale = scale * cells_per_side;
+    attempt.figures_turn = attempt.plan.turn;
   }
-  if(m_grid.size() != size)
-    m_grid = Cell_grid(size);
-  m_grid.clear();
-  m_work += 2 * size; // what that costs, and an end to the search where nothing else does any work
+  Cell_grid& grid = attempt.grid;
+  if(grid.size() != size)
+    grid = Cell_grid(size);
+  grid.clear();
+  attempt.work += 2 * size; // what that costs, and an end to the search where nothing else does any work
   std::vector<Outline_place> places(m_outlines.size());
   // By orientation and class of the box: below there was no room for another figure, and none is looked for if there are many.
   const bool are_few = m_outlines.size() <= FEW;
@@ -168,20 +187,20 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
   int top = 1;
   double placed_area = 0;
   const auto place_all = [&] {
-    for(const std::size_t c : m_order) {
+    for(const std::size_t c : attempt.plan.order) {
       if(must_stop())
         return false;
       const Turned_figure* best = nullptr;
       int best_top = size + 1, best_x = 0, best_y = 0;
       for(int i = 0; i < m_orientations; ++i) {
-        const Turned_figure& turned = figure(c, (m_first_orientation + i) % m_orientations);
+        const Turned_figure& turned = figure(attempt, c, (attempt.plan.first_orientation + i) % m_orientations);
         const int height = turned.cells.height();
         if(height == 0)
           continue;
         int lowest = 0;
         int& y = are_few ? lowest : first_rows[i][box_class(turned.cells)];
         int x = -1;
-        while(y + height < best_top && y + height <= size && (x = m_grid.first_place(turned.cells, y)) < 0)
+        while(y + height < best_top && y + height <= size && (x = grid.first_place(turned.cells, y)) < 0)
           ++y;
         if(x < 0)
           continue;
@@ -191,30 +210,40 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::fu
         best = &turned;
       }
       if(best == nullptr) {
-        m_failed = c;
-        m_room = placed_area / m_area;
+        attempt.failed = c;
+        attempt.room = placed_area / m_area;
         return false;
       }
-      m_grid.take(best->cells, best_x, best_y, distance);
+      grid.take(best->cells, best_x, best_y, distance);
       top = (std::max)(top, best_top);
       placed_area += m_areas[c];
       places[c] = best->turn;
       places[c].x = best_x / cells_per_side;
       places[c].y = best_y / cells_per_side;
     }
-    m_room = static_cast<double>(size) / top;
+    attempt.room = static_cast<double>(size) / top;
     return true;
   };
   const bool is_placed = place_all();
-  m_work += m_grid.work();
-  if(!is_placed)
+  attempt.work += grid.work();
+  if(is_placed)
+    attempt.places.swap(places);
+  return is_placed;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(double scale, const std::function<bool()>& must_stop)
+{
+  if(!fits(m_attempt, scale, must_stop))
     return false;
-  m_scale = scale;
-  m_best_order = m_order;
-  m_best_turn = m_turn;
-  m_best_orientation = m_first_orientation;
-  m_places.swap(places);
+  keep(scale, m_attempt);
   return true;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Outline_packer::keep(double scale, Attempt& attempt)
+{
+  m_scale = scale;
+  m_best = attempt.plan;
+  m_places.swap(attempt.places);
 }
 
 } // namespace internal
