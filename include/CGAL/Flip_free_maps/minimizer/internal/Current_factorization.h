@@ -54,7 +54,7 @@ public:
       m_objective.build_pattern();
     }
     const auto reporting = m_solver.report_to(summary);
-    m_is_analyzed = m_objective.number_of_unknowns() == 0 || m_solver.analyze_pattern(m_objective.matrix());
+    m_is_analyzed = !m_objective.has_unknowns() || m_solver.analyze_pattern(m_objective.matrix());
     return m_is_analyzed;
   }
 
