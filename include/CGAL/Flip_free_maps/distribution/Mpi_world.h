@@ -69,7 +69,7 @@ public:
   /// Vertices that this rank exchanges with another one, by their local numbers, in the order that both know.
   struct Neighbor
   {
-    int rank = 0;
+    int rank = 0;                     ///< the other one
     std::vector<std::int32_t> owned;  ///< here, ghosts there
     std::vector<std::int32_t> ghosts; ///< here, owned there: consecutive numbers
   };
@@ -77,8 +77,8 @@ public:
   /// What a rank has of the mesh.
   struct Part
   {
-    std::int32_t owned_vertices = 0;
-    std::int64_t counted_elements = 0;
+    std::int32_t owned_vertices = 0;          ///< the first of the local vertices
+    std::int64_t counted_elements = 0;        ///< the first of the local elements
     std::vector<std::int64_t> global_numbers; ///< of all local vertices
     std::vector<Neighbor> neighbors;          ///< in the order of their ranks
   };
@@ -100,17 +100,26 @@ public:
   /// Vertices with a global number, in the order of the local numbers.
   const std::vector<std::int64_t>& global_numbers() const { return m_state->part.global_numbers; }
 
+  /// Those of this rank, which come first.
   std::int64_t counted_elements(std::int64_t /* elements */) const { return m_state->part.counted_elements; }
+  /// Those of this rank, which come first.
   std::int32_t owned_vertices(std::int32_t /* vertices */) const { return m_state->part.owned_vertices; }
 
   /// \name What all ranks have together
   /// All ranks call these functions in the same order, and get the same result.
   /// @{
+
+  /// The sum.
   double sum(double x) const;
+  /// The least.
   double minimum(double x) const;
+  /// The greatest.
   int maximum(int x) const;
+  /// Whether one has `true`.
   bool any(bool x) const { return maximum(x ? 1 : 0) != 0; }
+  /// The inner product of vectors of unknowns.
   double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return sum(a.dot(b)); }
+  /// The norm of a vector of unknowns.
   double norm(const Eigen::VectorXd& a) const;
   /// The numbers of all ranks, one after the other.
   template <typename T>

@@ -33,11 +33,18 @@ public:
 
   /// \name What all processes have together: that of this one.
   /// @{
+
+  /// The sum.
   double sum(double x) const { return x; }
+  /// The least.
   double minimum(double x) const { return x; }
+  /// The greatest.
   int maximum(int x) const { return x; }
+  /// Whether one has `true`.
   bool any(bool x) const { return x; }
+  /// The inner product of vectors of unknowns.
   double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return a.dot(b); }
+  /// The norm of a vector of unknowns.
   double norm(const Eigen::VectorXd& a) const { return a.norm(); }
   /// @}
 
