@@ -62,6 +62,9 @@ public:
   /// holds for the vectors that follow.
   void number_unknowns(const std::vector<std::int32_t>& numbers);
 
+  /// Whether the first unknown of all processes is one that this process owns.
+  bool owns_first_unknown() const;
+
   /// A vector of unknowns with the entries of ghosts behind, as their owners have them. Where nothing is to be added it is
   /// the argument itself; otherwise it lasts until the next call.
   const Eigen::VectorXd& with_ghosts(const Eigen::VectorXd& owned) const;

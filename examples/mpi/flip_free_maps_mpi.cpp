@@ -5,19 +5,22 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// The program over the ranks of MPI, for solids that one process is too slow or too small for:
+// The program over the ranks of MPI, for meshes that one process is too slow or too small for:
 //
 //   mpirun -n N flip_free_maps_mpi deform IN.mesh --handles FILE -o OUT.mesh [--start MESH] [--tolerance T] [--max-seconds S]
+//   mpirun -n N flip_free_maps_mpi parameterize IN.off -o OUT.obj [--tolerance T] [--max-seconds S]
 //
 // Each rank reads a slice of the file, and one writes the result. The exit code is 0 only for a valid map, on all ranks.
 
-#include "Solid_slice.h"
+#include "mesh_slices.h"
 
 #include <CGAL/Flip_free_maps/deform_volume_over_mpi.h>
+#include <CGAL/Flip_free_maps/parameterize_over_mpi.h>
 
 #include <mpi.h>
 #include <petscsys.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -32,17 +35,18 @@ namespace {
 namespace FFM = CGAL::Flip_free_maps;
 
 const char* const USAGE = "usage: flip_free_maps_mpi deform IN.mesh --handles FILE -o OUT.mesh [--start MESH] [--tolerance T] "
-                          "[--max-seconds S]";
+                          "[--max-seconds S], or flip_free_maps_mpi parameterize IN.off -o OUT.obj [--tolerance T] [--max-seconds S]";
 
 struct Arguments
 {
-  std::string input, handles, output, start;
+  std::string command, input, handles, output, start;
   FFM::Map_traits_over_mpi traits;
 
   Arguments(int argc, char* argv[])
   {
-    if(argc < 3 || std::string(argv[1]) != "deform")
+    if(argc < 3)
       throw program::File_failure(USAGE);
+    command = argv[1];
     input = argv[2];
     for(int i = 3; i < argc; i += 2) {
       const std::string name = argv[i];
@@ -50,7 +54,8 @@ struct Arguments
         throw program::File_failure(name + " has no value");
       set(name, argv[i + 1]);
     }
-    if(handles.empty() || output.empty())
+    const bool deforms = command == "deform", parameterizes = command == "parameterize" && handles.empty() && start.empty();
+    if(output.empty() || (deforms ? handles.empty() : !parameterizes))
       throw program::File_failure(USAGE);
   }
 
@@ -109,11 +114,24 @@ FFM::Summary deform(const Arguments& arguments, const FFM::Mpi_world& world)
   return summary;
 }
 
+FFM::Summary parameterize(const Arguments& arguments, const FFM::Mpi_world& world)
+{
+  program::Surface_slice slice;
+  world.together([&] { slice = program::read_surface_slice(arguments.input, world.rank(), world.size()); });
+  std::vector<std::array<double, 2>> uv;
+  const FFM::Summary summary =
+    FFM::parameterize_over_mpi(world.communicator(), slice.points, slice.triangles, uv, FFM::parameters::map_traits(arguments.traits));
+  if(summary.is_valid())
+    program::write_surface_slices(arguments.output, slice, uv, world.communicator());
+  return summary;
+}
+
 int run(int argc, char* argv[])
 {
   const FFM::Mpi_world world(MPI_COMM_WORLD);
   try {
-    const FFM::Summary summary = deform(Arguments(argc, argv), world);
+    const Arguments arguments(argc, argv);
+    const FFM::Summary summary = arguments.command == "deform" ? deform(arguments, world) : parameterize(arguments, world);
     const double memory = -world.minimum(-summary.peak_memory_mb);
     if(world.rank() == 0)
       std::cout << summary << "  ranks " << world.size() << ", peak memory of the largest " << memory << " MiB" << std::endl;

@@ -5,7 +5,7 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-// Solids in parts over the ranks of MPI: the same maps as in one process, the same bits each time, and failures that end all ranks.
+// Solids and surfaces in parts over the ranks of MPI: the same maps as in one process, the same bits each time, and failures that end all ranks.
 // The suite runs in one process, and over several ranks where there is a program to start them.
 
 #include "support/unit_test.h"
@@ -14,6 +14,7 @@
 
 #include "support/generated_domains.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/deform_volume.h>
 #include <CGAL/Flip_free_maps/deform_volume_over_mpi.h>
@@ -23,6 +24,8 @@
 #include <CGAL/Flip_free_maps/domains/Tetrahedral_domain.h>
 #include <CGAL/Flip_free_maps/energies/Symmetric_dirichlet.h>
 #include <CGAL/Flip_free_maps/named_parameters.h>
+#include <CGAL/Flip_free_maps/parameterize.h>
+#include <CGAL/Flip_free_maps/parameterize_over_mpi.h>
 
 #include <mpi.h>
 #include <petscsys.h>
@@ -248,7 +251,7 @@ BOOST_AUTO_TEST_CASE(a_start_in_slices_is_taken, *boost::unit_test::label("needs
   BOOST_TEST(std::abs(again.summary.energy - first.summary.energy) <= 1e-9 * first.summary.energy);
 }
 
-BOOST_AUTO_TEST_CASE(what_needs_the_whole_mesh_is_refused, *boost::unit_test::label("needs_petsc"))
+BOOST_AUTO_TEST_CASE(what_looks_at_the_whole_mesh_is_refused, *boost::unit_test::label("needs_petsc"))
 {
   const Mpi mpi;
   Bar bar(6, 2, 1);
@@ -265,8 +268,6 @@ BOOST_AUTO_TEST_CASE(what_needs_the_whole_mesh_is_refused, *boost::unit_test::la
   BOOST_TEST(status_with([](auto& map, auto&) { map.renew_factorization = true; }) == FFM::Status::invalid_option);
   BOOST_TEST(status_with([](auto&, auto& volume) { volume.soft_weight = 1; }) == FFM::Status::invalid_option);
   bar.tetrahedra[5][1] = 100000;
-  BOOST_TEST(status_with([](auto&, auto&) {}) == FFM::Status::invalid_option);
-  bar.handles.clear();
   BOOST_TEST(status_with([](auto&, auto&) {}) == FFM::Status::invalid_option);
 }
 
@@ -307,6 +308,93 @@ BOOST_AUTO_TEST_CASE(the_time_of_one_rank_holds_for_all, *boost::unit_test::labe
   const FFM::Mpi_world world(MPI_COMM_WORLD);
   BOOST_TEST(world.minimum(status) == -world.minimum(-status));
   BOOST_TEST((deformed.summary.status != FFM::Status::out_of_memory && deformed.summary.status != FFM::Status::invalid_option));
+}
+
+namespace {
+
+typedef std::array<double, 2> Place;
+
+// A sheet with hills, which is curved.
+struct Sheet
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::int64_t, 3>> triangles;
+
+  explicit Sheet(int size)
+  {
+    const Surface surface =
+      grid(size, size, [](double u, double v) { return Eigen::Vector3d(u, v, 0.3 * std::sin(6 * u) * std::cos(5 * v)); });
+    for(const auto& p : surface.points)
+      points.push_back({p[0], p[1], p[2]});
+    for(const auto& t : surface.triangles)
+      triangles.push_back({std::int64_t(t[0]), std::int64_t(t[1]), std::int64_t(t[2])});
+  }
+};
+
+struct Flattened
+{
+  FFM::Summary summary;
+  std::vector<Place> slice;
+
+  template <typename NamedParameters>
+  Flattened(const Sheet& sheet, const Mpi& mpi, const NamedParameters& np)
+  {
+    summary = FFM::parameterize_over_mpi(MPI_COMM_WORLD, slice_of(sheet.points, mpi), slice_of(sheet.triangles, mpi), slice, np);
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_surface_is_flattened_to_the_energy_of_one_process, *boost::unit_test::label("needs_petsc"))
+{
+  const Mpi mpi;
+  const Sheet sheet(24);
+  FFM::Flip_free_map_traits<> traits;
+  traits.options.characteristic_gradient_tolerance = 1e-9;
+  std::vector<Place> expected;
+  const FFM::Summary alone = FFM::parameterize(sheet.points, sheet.triangles, expected, FFP::map_traits(traits));
+  BOOST_TEST_REQUIRE(alone.converged());
+
+  const Flattened first(sheet, mpi, FFP::map_traits(tight_traits())), second(sheet, mpi, FFP::map_traits(tight_traits()));
+  BOOST_TEST_REQUIRE(first.summary.converged(), first.summary.message);
+  BOOST_TEST(first.summary.start == "tutte (circle, uniform)");
+  BOOST_TEST(std::abs(first.summary.energy - alone.energy) <= 1e-9 * alone.energy);
+  BOOST_TEST(first.summary.flips == 0);
+  BOOST_TEST(first.summary.elements == std::int64_t(sheet.triangles.size()));
+  BOOST_TEST((first.slice == second.slice));
+
+  // The whole map in one process: no flips, and the same from there.
+  const std::vector<Place> all = FFM::Mpi_world(MPI_COMM_WORLD).gather(first.slice);
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  std::int64_t flips = 0;
+  for(const auto& t : sheet.triangles) {
+    const auto point = [&](int k) { return Kernel::Point_2(all[t[k]][0], all[t[k]][1]); };
+    flips += CGAL::orientation(point(0), point(1), point(2)) == CGAL::POSITIVE ? 0 : 1;
+  }
+  BOOST_TEST(flips == 0);
+  const Flattened again(sheet, mpi, FFP::start_map(first.slice, FFP::map_traits(tight_traits())));
+  BOOST_TEST_REQUIRE(again.summary.converged());
+  BOOST_TEST(again.summary.start == "given");
+  BOOST_TEST(again.summary.iterations <= 2);
+  BOOST_TEST(std::abs(again.summary.energy - alone.energy) <= 1e-9 * alone.energy);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_disk_is_refused, *boost::unit_test::label("needs_petsc"))
+{
+  const Mpi mpi;
+  const Sheet sheet(12);
+  const auto status_of = [&](auto&& change) {
+    Sheet changed = sheet;
+    change(changed.triangles);
+    const Flattened flattened(changed, mpi, CGAL::parameters::default_values());
+    BOOST_TEST(flattened.slice.empty());
+    return flattened.summary.status;
+  };
+  BOOST_TEST(status_of([](auto& triangles) { triangles.clear(); }) == FFM::Status::empty_mesh);
+  BOOST_TEST(status_of([](auto& triangles) { triangles.push_back(triangles[7]); }) == FFM::Status::non_manifold);
+  BOOST_TEST(status_of([](auto& triangles) { triangles[7][1] = 1000000; }) == FFM::Status::invalid_option);
+  // Without a triangle inside there is a hole.
+  BOOST_TEST(status_of([](auto& triangles) { triangles.erase(triangles.begin() + triangles.size() / 2 + 12); }) == FFM::Status::not_a_disk);
 }
 
 #else

@@ -46,7 +46,21 @@ grep -q "^7 0 2 0$" bent.mesh || { echo "A handle is not in its place."; exit 1;
 "${run[@]}" deform bar.mesh --handles handles.txt --start bent.mesh -o again.mesh > output.txt 2>&1
 grep -q "start *given" output.txt || { cat output.txt; echo "The start was not taken."; exit 1; }
 
-for arguments in "deform missing.mesh --handles handles.txt -o x.mesh" "deform bar.mesh --handles missing.txt -o x.mesh" \
+# A sheet of two hills, flat.
+awk -v size=12 'BEGIN {
+  print "OFF"
+  print (size + 1) * (size + 1), 2 * size * size, 0
+  for(j = 0; j <= size; ++j) for(i = 0; i <= size; ++i) print i, j, 2 * sin(i / 2) * cos(j / 3)
+  for(j = 0; j < size; ++j) for(i = 0; i < size; ++i) {
+    a = j * (size + 1) + i
+    print 3, a, a + 1, a + size + 2
+    print 3, a, a + size + 2, a + size + 1
+  }
+}' > sheet.off
+"${run[@]}" parameterize sheet.off -o sheet.obj > output.txt 2>&1 || { cat output.txt; echo "The sheet was not flattened."; exit 1; }
+[[ "$(grep -c '^vt ' sheet.obj)" -eq 169 && "$(grep -c '^f ' sheet.obj)" -eq 288 ]] || { echo "The OBJ file is not whole."; exit 1; }
+
+for arguments in "parameterize bar.mesh -o x.mesh" "deform missing.mesh --handles handles.txt -o x.mesh" "deform bar.mesh --handles missing.txt -o x.mesh" \
                  "deform bar.mesh -o x.mesh" "deform bar.mesh --handles handles.txt -o no_folder/x.mesh"; do
   # shellcheck disable=SC2086
   if "${run[@]}" $arguments > output.txt 2>&1; then

@@ -59,6 +59,27 @@ struct Map_traits_over_mpi
 
 namespace internal {
 
+// What `run()` returns on all ranks; whatever one of them throws ends all with a status.
+template <typename Run>
+Summary run_over_mpi(const Mpi_world& world, Run&& run)
+{
+  Summary summary;
+  const auto fail = [&summary](Status status, const char* message) {
+    summary.status = status;
+    summary.message = message;
+  };
+  try {
+    world.together([&] { summary = run(); });
+  } catch(const std::bad_alloc&) {
+    fail(Status::out_of_memory, "memory was exhausted on one of the ranks");
+  } catch(const Interruption& interruption) {
+    fail(Status::interrupted, interruption.what());
+  } catch(const Common_failure& failure) {
+    fail(Status::interrupted, failure.what());
+  }
+  return summary;
+}
+
 // Writes to the positions of a part of a mesh.
 template <typename Point>
 struct Part_map
@@ -155,8 +176,8 @@ Summary deform_slices(const Mpi_world& world, const Sliced_solid& solid, std::ve
 /// example, or runs out of memory, all end with a status; only when memory is exhausted within PETSc do all processes end, with a
 /// code that says so, see `Mpi_world::abandon()`. The limits of time of all ranks hold for all.
 ///
-/// What needs the whole mesh is refused, with `invalid_option`: soft handles, freeing blocked vertices, renewed factorizations, and maps
-/// without any handle. Handles may travel, as in one process. Targets that alone exclude a map without flips are not looked for: the
+/// What needs the whole mesh is refused, with `invalid_option`: soft handles, freeing blocked vertices, renewed factorizations, and
+/// references other than the rest shape. Handles may travel, as in one process. Targets that alone exclude a map without flips are not looked for: the
 /// status is `unreachable_constraints` in the end.
 ///
 /// \tparam PointRange,TetrahedronRange,Handles,ResultRange as of `deform_volume()` for arrays
@@ -179,29 +200,16 @@ template <typename PointRange, typename TetrahedronRange, typename Handles, type
 Summary deform_volume_over_mpi(MPI_Comm comm, const PointRange& points, const TetrahedronRange& tetrahedra, const Handles& handles,
                                ResultRange& result, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  Summary summary;
-  const auto fail = [&summary](Status status, const char* message) {
-    summary.status = status;
-    summary.message = message;
-  };
   const Mpi_world world(comm);
-  std::vector<typename ResultRange::value_type> slice;
-  try {
-    world.together([&] {
-      const internal::Sliced_solid solid(world, points, tetrahedra, handles);
-      summary = internal::deform_slices(world, solid, slice, internal::chosen_traits<Map_traits_over_mpi>(np),
-                                        internal::parameter_or(np, internal::volume_options_tag, Deform_volume_options()));
-      if(summary.is_valid())
-        result = ResultRange(slice.begin(), slice.end());
-    });
-  } catch(const std::bad_alloc&) {
-    fail(Status::out_of_memory, "memory was exhausted on one of the ranks");
-  } catch(const Interruption& interruption) {
-    fail(Status::interrupted, interruption.what());
-  } catch(const Common_failure& failure) {
-    fail(Status::interrupted, failure.what());
-  }
-  return summary;
+  return internal::run_over_mpi(world, [&] {
+    const internal::Sliced_solid solid(world, points, tetrahedra, handles);
+    std::vector<typename ResultRange::value_type> slice;
+    const Summary summary = internal::deform_slices(world, solid, slice, internal::chosen_traits<Map_traits_over_mpi>(np),
+                                                    internal::parameter_or(np, internal::volume_options_tag, Deform_volume_options()));
+    if(summary.is_valid())
+      result = ResultRange(slice.begin(), slice.end());
+    return summary;
+  });
 }
 
 } // namespace Flip_free_maps

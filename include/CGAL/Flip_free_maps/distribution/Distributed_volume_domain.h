@@ -11,21 +11,16 @@
 #ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
 
 #include <CGAL/Flip_free_maps/distribution/Mpi_world.h>
-#include <CGAL/Flip_free_maps/distribution/internal/Slices.h>
-#include <CGAL/Flip_free_maps/distribution/internal/partition_graph.h>
+#include <CGAL/Flip_free_maps/distribution/internal/Mesh_division.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/domains/Volume_domain.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,7 +39,7 @@ public:
   using Tetrahedron = std::array<std::int64_t, 4>;
 
   /// On the ranks of `world`, each with a part of this mesh only.
-  explicit Distributed_volume_domain(const Mpi_world& world) : Volume_domain<std::int64_t, Mpi_world>(world) {}
+  explicit Distributed_volume_domain(const Mpi_world& world) : Volume_domain<std::int64_t, Mpi_world>(world), m_division(world) {}
 
   /// Divides the mesh. Called by all ranks.
   ///
@@ -59,44 +54,13 @@ public:
               std::string& message);
 
   /// Of columns for the slice of points, those of the local vertices, in the order of the flat arrays. Called by all ranks.
-  Positions<3> to_parts(const Positions<3>& slice) const;
+  Positions<3> to_parts(const Positions<3>& slice) const { return m_division.to_parts(slice); }
 
   /// Sets the columns of the slice of points whose vertices belong to a tetrahedron to those of the local vertices. Called by all ranks.
-  void to_slices(const Positions<3>& part, Positions<3>& slice) const;
+  void to_slices(const Positions<3>& part, Positions<3>& slice) const { m_division.to_slices(part, slice); }
 
 private:
-  // A tetrahedron with its number among those of all ranks.
-  struct Numbered
-  {
-    std::int64_t number;
-    Tetrahedron vertices;
-
-    bool operator<(const Numbered& other) const { return number < other.number; }
-    bool operator==(const Numbered& other) const { return number == other.number; }
-  };
-
-  // What the rank that has a vertex in its slice knows of it.
-  struct Place
-  {
-    std::int64_t vertex;
-    std::int32_t owner; // -1 if no tetrahedron has the vertex
-  };
-
-  static void sort_and_make_unique(std::vector<Numbered>& tetrahedra)
-  {
-    std::sort(tetrahedra.begin(), tetrahedra.end());
-    tetrahedra.erase(std::unique(tetrahedra.begin(), tetrahedra.end()), tetrahedra.end());
-  }
-
-  std::vector<Numbered> at_slices(const std::vector<Tetrahedron>& tetrahedra) const;
-  internal::Graph_slice graph_of(const std::vector<Numbered>& tetrahedra) const;
-  std::vector<Numbered> at_parts(const std::vector<Numbered>& tetrahedra, const std::vector<std::int32_t>& owners) const;
-  std::vector<Place> places_of(const std::vector<std::int64_t>& vertices, const std::vector<std::int32_t>& owners) const;
-  void number_vertices(std::vector<Numbered>& tetrahedra, const std::vector<std::int64_t>& handles,
-                       const std::vector<std::int32_t>& owners);
-  std::vector<Mpi_world::Neighbor> neighbors(const std::vector<Place>& ghosts) const;
-
-  internal::Slices m_slices;
+  internal::Mesh_division<4> m_division;
 };
 
 } // namespace Flip_free_maps

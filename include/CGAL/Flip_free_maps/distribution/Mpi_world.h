@@ -135,6 +135,8 @@ public:
 
   /// Tells the number of each local vertex among the local unknowns, -1 for those that are none.
   void number_unknowns(const std::vector<std::int32_t>& numbers);
+  /// Whether the first unknown of all ranks is here.
+  bool owns_first_unknown() const { return m_state->owned_unknowns > 0 && m_state->global_unknowns.front() == 0; }
   /// Vertices that this rank owns and that are unknowns.
   std::int32_t owned_unknowns() const { return m_state->owned_unknowns; }
   /// The numbers of the local unknowns among those of all ranks: the ranks follow each other.

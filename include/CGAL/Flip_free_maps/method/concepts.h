@@ -253,6 +253,8 @@ struct WorldConcept : boost::CopyConstructible<W>
                   "World: dot(a, b) const and norm(a) const must return a number");
     static_assert(gives<void, W&, const std::vector<std::int32_t>&>([](auto& w, auto& n) -> decltype(w.number_unknowns(n)) {}),
                   "World: number_unknowns(numbers) is missing");
+    static_assert(gives<bool, const W&>([](auto& w) -> decltype(w.owns_first_unknown()) {}),
+                  "World: owns_first_unknown() const must return whether it does");
     static_assert(gives<const Vector&, const W&, const Vector&>([](auto& w, auto& a) -> decltype(w.with_ghosts(a)) {}),
                   "World: with_ghosts(owned) const must return a vector");
     static_assert(gives<void, const W&, Vector&>([](auto& w, auto& a) -> decltype(w.keep_owned(a)) {}),

@@ -151,8 +151,6 @@ private:
         return "terms beside the energy of the elements are for one process";
       if(m_objective.has_sliding_vertices())
         return "sliding vertices are for one process";
-      if(m_objective.is_rigid_motion_invariant())
-        return "over several processes a vertex has to be held at least";
       if(m_traits.options.free_blocked_vertices)
         return "vertices are moved one by one in one process only: Map_options::free_blocked_vertices has to be false";
       if(m_traits.options.renew_factorization)
@@ -374,7 +372,7 @@ private:
     if(!m_traits.acceleration.direction(run.unknowns, run.gradient, Linear_algebra{*this}, run.direction))
       return false;
     if(m_objective.is_rigid_motion_invariant())
-      internal::remove_rigid_motion<D>(run.x, run.direction);
+      internal::remove_rigid_motion<D>(run.x, run.direction, world());
     slope = world().dot(run.gradient, run.direction);
     m_objective.spread(run.direction, run.displacement);
     return true;

@@ -31,6 +31,9 @@ public:
   /// All of them.
   std::int32_t owned_vertices(std::int32_t vertices) const { return vertices; }
 
+  /// Yes.
+  bool owns_first_unknown() const { return true; }
+
   /// \name What all processes have together: that of this one.
   /// @{
 

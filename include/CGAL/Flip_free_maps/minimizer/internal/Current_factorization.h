@@ -134,7 +134,7 @@ public:
         matrix.diagonal(i) += run.options.tikhonov;
     // Translations are in the null space of every preconditioner. Stiffness on one vertex removes them without changing the
     // solution, since the gradient is orthogonal to them.
-    if(m_objective.is_rigid_motion_invariant())
+    if(m_objective.is_rigid_motion_invariant() && m_objective.world().owns_first_unknown())
       for(int i = 0; i < D; ++i)
         matrix.diagonal(i) *= 2;
   }

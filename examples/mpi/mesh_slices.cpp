@@ -5,7 +5,7 @@
 //
 // Author(s)     : The Flip_free_maps authors
 
-#include "Solid_slice.h"
+#include "mesh_slices.h"
 
 #include <algorithm>
 #include <charconv>
@@ -75,17 +75,23 @@ private:
   long long m_number = 0;
 };
 
-// Reads the entities of a section that belong to a slice, and passes over the others.
+// Reads those of `count` entities that belong to a slice, and passes over the others.
 template <typename Read>
-void read_section(Line_reader& reader, int rank, int size, Read&& read)
+void read_entities(Line_reader& reader, long long count, int rank, int size, Read&& read)
 {
-  const long long count = reader.numbers<long long, 1>(reader.require())[0];
   const long long first = count * rank / size, last = count * (rank + 1) / size;
   for(long long i = 0; i < count; ++i) {
     const std::string line = reader.require();
     if(i >= first && i < last)
       read(line);
   }
+}
+
+// The same, after a line with their number.
+template <typename Read>
+void read_section(Line_reader& reader, int rank, int size, Read&& read)
+{
+  read_entities(reader, reader.numbers<long long, 1>(reader.require())[0], rank, size, read);
 }
 
 void append(std::string& text, double number)
@@ -119,21 +125,47 @@ std::string lines_of(const std::vector<std::array<std::int64_t, 4>>& tetrahedra)
   return text;
 }
 
-// A section with the lines of all ranks, in their order.
-template <typename Entities>
-void write_section(std::ofstream& file, const char* name, const Entities& entities, MPI_Comm comm)
+// The lines of an OBJ file.
+template <std::size_t N>
+std::string lines_of(const char* word, const std::vector<std::array<double, N>>& places)
+{
+  std::string text;
+  for(const auto& place : places) {
+    text += word;
+    for(const double x : place) {
+      text += ' ';
+      append(text, x);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string lines_of(const std::vector<std::array<std::int64_t, 3>>& triangles)
+{
+  std::string text;
+  for(const auto& triangle : triangles) {
+    text += 'f';
+    for(const std::int64_t v : triangle) {
+      const std::string number = std::to_string(v + 1);
+      text += ' ' + number + '/' + number;
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+// The texts of all ranks, in their order.
+void write_texts(std::ofstream& file, std::string text, MPI_Comm comm)
 {
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
-  long long own = static_cast<long long>(entities.size()), all = 0;
-  MPI_Reduce(&own, &all, 1, MPI_LONG_LONG, MPI_SUM, 0, comm);
-  std::string text = lines_of(entities);
   if(rank != 0) {
     MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, 0, comm);
     return;
   }
-  file << name << '\n' << all << '\n' << text;
+  file << text;
   for(int r = 1; r < size; ++r) {
     MPI_Status status;
     int length = 0;
@@ -143,6 +175,36 @@ void write_section(std::ofstream& file, const char* name, const Entities& entiti
     MPI_Recv(text.data(), length, MPI_CHAR, r, 0, comm, MPI_STATUS_IGNORE);
     file << text;
   }
+}
+
+// A section of a Medit file with the lines of all ranks.
+template <typename Entities>
+void write_section(std::ofstream& file, const char* name, const Entities& entities, MPI_Comm comm)
+{
+  long long own = static_cast<long long>(entities.size()), all = 0;
+  MPI_Allreduce(&own, &all, 1, MPI_LONG_LONG, MPI_SUM, comm);
+  file << name << '\n' << all << '\n';
+  write_texts(file, lines_of(entities), comm);
+}
+
+// Opens a file on the first rank, has all write to it, and tells all of a failure.
+template <typename Write>
+void write_together(const std::string& path, MPI_Comm comm, Write&& write)
+{
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  std::ofstream file;
+  if(rank == 0)
+    file.open(path);
+  write(file);
+  int succeeds = 1;
+  if(rank == 0) {
+    file.close();
+    succeeds = file.fail() ? 0 : 1;
+  }
+  MPI_Bcast(&succeeds, 1, MPI_INT, 0, comm);
+  if(succeeds == 0)
+    throw File_failure(path + ": cannot be written");
 }
 
 } // namespace
@@ -188,26 +250,42 @@ std::vector<std::pair<std::int64_t, Place>> read_vertex_handles(const std::strin
   return handles;
 }
 
+Surface_slice read_surface_slice(const std::string& path, int rank, int size)
+{
+  Line_reader reader(path);
+  std::string word;
+  std::istringstream(reader.require()) >> word;
+  if(word != "OFF")
+    reader.fail("does not begin with OFF");
+  const auto counts = reader.numbers<long long, 2>(reader.require());
+  Surface_slice slice;
+  read_entities(reader, counts[0], rank, size, [&](const std::string& line) { slice.points.push_back(reader.numbers<double, 3>(line)); });
+  read_entities(reader, counts[1], rank, size, [&](const std::string& line) {
+    const auto face = reader.numbers<std::int64_t, 4>(line);
+    if(face[0] != 3)
+      reader.fail("has a face that is no triangle");
+    slice.triangles.push_back({face[1], face[2], face[3]});
+  });
+  return slice;
+}
+
 void write_solid_slices(const std::string& path, const Solid_slice& slice, MPI_Comm comm)
 {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  std::ofstream file;
-  if(rank == 0) {
-    file.open(path);
+  write_together(path, comm, [&](std::ofstream& file) {
     file << "MeshVersionFormatted 2\nDimension 3\n";
-  }
-  write_section(file, "Vertices", slice.points, comm);
-  write_section(file, "Tetrahedra", slice.tetrahedra, comm);
-  int succeeds = 1;
-  if(rank == 0) {
+    write_section(file, "Vertices", slice.points, comm);
+    write_section(file, "Tetrahedra", slice.tetrahedra, comm);
     file << "End\n";
-    file.close();
-    succeeds = file.fail() ? 0 : 1;
-  }
-  MPI_Bcast(&succeeds, 1, MPI_INT, 0, comm);
-  if(succeeds == 0)
-    throw File_failure(path + ": cannot be written");
+  });
+}
+
+void write_surface_slices(const std::string& path, const Surface_slice& slice, const std::vector<std::array<double, 2>>& uv, MPI_Comm comm)
+{
+  write_together(path, comm, [&](std::ofstream& file) {
+    write_texts(file, lines_of("v", slice.points), comm);
+    write_texts(file, lines_of("vt", uv), comm);
+    write_texts(file, lines_of(slice.triangles), comm);
+  });
 }
 
 } // namespace program
