@@ -173,8 +173,7 @@ Summary deform_slices(const Mpi_world& world, const Sliced_solid& solid, std::ve
 /// is that of one process, and finds the same map up to the tolerances and to rounding; the same number of ranks gives the same bits.
 ///
 /// All ranks call this function, with the same settings, and all get the same status. When one of them throws, in an observer for
-/// example, or runs out of memory, all end with a status; only when memory is exhausted within PETSc do all processes end, with a
-/// code that says so, see `Mpi_world::abandon()`. The limits of time of all ranks hold for all.
+/// example, or runs out of memory, all end with a status. The limits of time of all ranks hold for all.
 ///
 /// What needs the whole mesh is refused, with `invalid_option`: soft handles, freeing blocked vertices, renewed factorizations, and
 /// references other than the rest shape. Handles may travel, as in one process. Targets that alone exclude a map without flips are not looked for: the

@@ -27,16 +27,18 @@ class Distributed_hierarchy;
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsWorlds
-/// The multigrid of `Petsc_multigrid` for a matrix of which each rank has the rows of the unknowns that it owns, to be used as
+/// A preconditioner for a matrix of which each rank has the rows of the unknowns that it owns, to be used as
 /// `Conjugate_gradient_solver<Distributed_multigrid, Mpi_world>`. A rank gives the matrix of its local unknowns, ghosts included, as it
 /// was assembled of its elements; the rows of ghosts, which are not complete, are not read.
 ///
-/// Over several ranks all levels are smoothed by Chebyshev polynomials, which do not depend on where the parts meet as sweeps do.
+/// Each rank solves for its unknowns by a cycle of `Petsc_multigrid`, as if the others stood still, and the parts as rigid bodies, with
+/// forces between them, are solved for exactly: the sum of both is what is found. PETSc's own multigrid over several ranks would
+/// take fewer iterations where there are many of them, but adds up what ranks send in the order in which it arrives, and so finds
+/// other bits each time. With one rank it is `Petsc_multigrid`.
 ///
-/// Complexity: on each rank as `Petsc_multigrid`, and the exchange of ghosts on each level.
+/// Complexity: on each rank as `Petsc_multigrid`, and the cube of the number of ranks, times 200, for each matrix.
 ///
-/// All ranks call all functions but names and `factor_entries()`, which is for this rank. Where PETSc runs out of memory in a function of
-/// all ranks, all processes end, see `Mpi_world::abandon()`.
+/// All ranks call all functions but names and `factor_entries()`, which is for this rank.
 ///
 /// \cgalModels{SymmetricSparseSolver}
 class Distributed_multigrid
@@ -50,8 +52,8 @@ public:
   Distributed_multigrid(const Distributed_multigrid&) = delete;
   Distributed_multigrid& operator=(const Distributed_multigrid&) = delete;
 
-  /// "PETSc multigrid over MPI"
-  std::string name() const { return "PETSc multigrid over MPI"; }
+  /// "PETSc multigrid on each rank"
+  std::string name() const { return "PETSc multigrid on each rank"; }
   /// "aggregation"
   std::string ordering() const { return "aggregation"; }
 
@@ -71,9 +73,7 @@ public:
   std::int64_t factor_entries() const;
 
 private:
-  // Calls f() with PETSc, on all ranks, and tells whether it succeeded on all.
-  template <typename F>
-  bool with_petsc(F&& f) const;
+  void release();
 
   Mpi_world m_world;
   std::unique_ptr<internal::Distributed_hierarchy> m_hierarchy;

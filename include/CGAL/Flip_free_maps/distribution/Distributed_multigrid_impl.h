@@ -16,61 +16,43 @@
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Petsc_scope.h>
 
 #include <memory>
-#include <new>
 
 namespace CGAL {
 namespace Flip_free_maps {
 
 CGAL_FLIP_FREE_MAPS_INLINE Distributed_multigrid::Distributed_multigrid(const Mpi_world& world) : m_world(world) {}
 
-CGAL_FLIP_FREE_MAPS_INLINE Distributed_multigrid::~Distributed_multigrid()
+CGAL_FLIP_FREE_MAPS_INLINE Distributed_multigrid::~Distributed_multigrid() { release(); }
+
+CGAL_FLIP_FREE_MAPS_INLINE void Distributed_multigrid::release()
 {
   const internal::Petsc_scope scope;
+  if(m_hierarchy != nullptr)
+    m_hierarchy->release();
   m_hierarchy.reset();
-}
-
-template <typename F>
-bool Distributed_multigrid::with_petsc(F&& f) const
-{
-  bool succeeds = false;
-  try {
-    const internal::Petsc_scope scope;
-    succeeds = scope.is_ready() && f();
-  } catch(const std::bad_alloc&) {
-    m_world.abandon(Status::out_of_memory);
-  }
-  return !m_world.any(!succeeds);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_multigrid::analyze_pattern(const Block_sparse_matrix& matrix)
 {
-  {
-    const internal::Petsc_scope scope;
-    m_hierarchy = std::make_unique<internal::Distributed_hierarchy>();
-  }
-  return !m_world.any(!m_hierarchy->analyze_pattern(matrix, m_world));
+  release();
+  m_hierarchy = std::make_unique<internal::Distributed_hierarchy>(m_world);
+  return m_hierarchy->analyze_pattern(matrix);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Distributed_multigrid::set_positions(const Eigen::VectorXd& positions)
 {
   if(m_hierarchy != nullptr)
-    m_hierarchy->set_positions(positions, m_world);
+    m_hierarchy->set_positions(positions);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_multigrid::factorize(const Block_sparse_matrix& matrix)
 {
-  // What a rank does alone comes first, since it may fail there without leaving the others in a function of PETSc.
-  if(m_world.any(m_hierarchy == nullptr || !m_hierarchy->fill_values(matrix)))
-    return false;
-  return with_petsc([&] { return m_hierarchy->build(m_world.communicator()); });
+  return m_hierarchy != nullptr && m_hierarchy->build(matrix);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_multigrid::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
 {
-  x.resize(b.size());
-  if(m_world.any(m_hierarchy == nullptr))
-    return false;
-  return with_petsc([&] { return m_hierarchy->cycle(b, x) && x.allFinite(); });
+  return m_hierarchy != nullptr && m_hierarchy->solve(b, x);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE std::int64_t Distributed_multigrid::factor_entries() const

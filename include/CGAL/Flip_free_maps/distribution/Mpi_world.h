@@ -135,6 +135,23 @@ public:
 
   /// Tells the number of each local vertex among the local unknowns, -1 for those that are none.
   void number_unknowns(const std::vector<std::int32_t>& numbers);
+  /// Unknowns of another rank, by their local numbers.
+  struct Ghosts
+  {
+    int rank;            ///< the owner
+    std::int32_t first;  ///< the first of them
+    std::int32_t number; ///< that follow each other
+  };
+
+  /// Those among the local unknowns, by their owners.
+  std::vector<Ghosts> ghosts_of_unknowns() const
+  {
+    std::vector<Ghosts> ghosts;
+    for(const Link& link : m_state->unknown_links)
+      ghosts.push_back({link.rank, link.first_ghost, link.ghosts});
+    return ghosts;
+  }
+
   /// Whether the first unknown of all ranks is here.
   bool owns_first_unknown() const { return m_state->owned_unknowns > 0 && m_state->global_unknowns.front() == 0; }
   /// Vertices that this rank owns and that are unknowns.
@@ -154,10 +171,6 @@ public:
   /// Calls `f()` on all ranks. If it throws on one of them, all throw the same: `Interruption`, `std::bad_alloc`, or `Common_failure`.
   template <typename F>
   void together(F&& f) const;
-
-  /// Ends all processes of the communicator, where a rank has failed in a function of PETSc that the others will never leave: there is
-  /// no other way to tell them. The exit code is 100 plus the status.
-  void abandon(Status status) const { MPI_Abort(m_state->comm, 100 + static_cast<int>(status)); }
 
 private:
   // Entries that go to and come from a neighbour.

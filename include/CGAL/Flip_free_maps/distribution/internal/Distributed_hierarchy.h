@@ -12,54 +12,52 @@
 
 #include <CGAL/Flip_free_maps/distribution/Mpi_world.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
-#include <CGAL/Flip_free_maps/linear_solvers/internal/Block_graph.h>
-#include <CGAL/Flip_free_maps/linear_solvers/internal/Petsc_levels.h>
-#include <CGAL/Flip_free_maps/linear_solvers/internal/Petsc_scope.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Petsc_hierarchy.h>
 
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The rows of this rank as a part of a matrix of PETSc, and its coarser versions.
+// The levels of this rank's unknowns among themselves, and above them the rigid motions of all parts as unknowns of a small dense
+// system. All functions are called by all ranks.
 class Distributed_hierarchy
 {
 public:
-  // Finds the place of each block in the rows of this rank, whose columns PETSc wants in the order of all unknowns.
-  bool analyze_pattern(const Block_sparse_matrix& matrix, const Mpi_world& world);
+  explicit Distributed_hierarchy(const Mpi_world& world) : m_world(world) {}
 
-  // Of the owned unknowns. Called by all ranks.
-  void set_positions(const Eigen::VectorXd& positions, const Mpi_world& world);
+  bool analyze_pattern(const Block_sparse_matrix& matrix);
 
-  // `false` unless the blocks on the diagonal are positive definite.
-  bool fill_values(const Block_sparse_matrix& matrix);
+  // Of the owned unknowns.
+  void set_positions(const Eigen::VectorXd& positions);
 
-  // Builds all levels. Called by all ranks, within a Petsc_scope.
-  bool build(MPI_Comm comm);
+  // `false` on all ranks unless the blocks on the diagonal are positive definite. Needs a Petsc_scope only within.
+  bool build(const Block_sparse_matrix& matrix);
 
-  // Called by all ranks, within a Petsc_scope.
-  bool cycle(const Eigen::VectorXd& b, Eigen::VectorXd& x) { return m_levels.cycle(b, x); }
+  bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
-  std::int64_t number_of_entries() const { return static_cast<std::int64_t>(m_columns.size()); }
+  // Called within a Petsc_scope, by any rank.
+  void release() { m_levels.reset(); }
+
+  std::int64_t number_of_entries() const { return m_levels != nullptr ? m_levels->number_of_entries() : 0; }
 
 private:
   template <int b>
-  bool fill_blocks(const std::vector<double>& values);
+  void copy_blocks(const Block_sparse_matrix& matrix);
 
-  Block_graph m_graph;
-  std::int64_t m_entries = -1;             // of the matrix analysed
-  std::int32_t m_owned = 0;                // vertices whose rows are here
-  std::vector<std::int32_t> m_row_sizes;   // blocks in the rows of each of them
-  std::vector<std::int32_t> m_places[2];   // of each block of the graph in the rows of its column's vertex, and of its row's vertex
-  std::vector<PetscInt> m_rows, m_columns; // local rows, columns by their numbers among all unknowns
-  std::vector<double> m_values;            // only until PETSc has them
-  Eigen::VectorXd m_centred;
-  Petsc_handle<Mat, MatDestroy> m_matrix;
-  Petsc_levels m_levels;
+  void make_modes();
+  void build_coarse_system(const Block_sparse_matrix& matrix);
+
+  Mpi_world m_world;
+  Block_sparse_matrix m_own; // the rows and columns of owned unknowns
+  std::unique_ptr<Petsc_hierarchy> m_levels;
+  Eigen::VectorXd m_centred; // positions of owned unknowns
+  Eigen::MatrixXd m_modes;   // the rigid motions at all local unknowns
+  Eigen::MatrixXd m_coarse;  // the inverse of the small system
 };
 
 } // namespace internal

@@ -12,123 +12,142 @@
 
 #include <CGAL/Flip_free_maps/distribution/internal/Distributed_hierarchy.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Block_graph.h>
+#include <CGAL/Flip_free_maps/linear_solvers/internal/Petsc_scope.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_hierarchy::analyze_pattern(const Block_sparse_matrix& matrix, const Mpi_world& world)
+CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_hierarchy::analyze_pattern(const Block_sparse_matrix& matrix)
 {
-  m_graph = Block_graph(matrix);
-  m_owned = world.owned_unknowns();
-  m_entries = matrix.number_of_entries();
-  const std::vector<std::int64_t>& numbers = world.global_unknowns();
-  const int b = m_graph.block_size;
-  // The blocks of each row: the number of their column among all unknowns, and twice their place in the graph, plus one where they are
-  // transposed.
-  std::vector<std::vector<std::pair<std::int64_t, std::int64_t>>> blocks(m_owned);
-  const std::int32_t n = m_graph.number_of_vertices();
-  for(std::int32_t v = 0; v < n; ++v)
-    for(std::int64_t k = m_graph.columns[v]; k < m_graph.columns[v + 1]; ++k) {
-      const std::int32_t w = m_graph.rows[k];
-      if(v < m_owned)
-        blocks[v].emplace_back(numbers[w], 2 * k);
-      if(w != v && w < m_owned)
-        blocks[w].emplace_back(numbers[v], 2 * k + 1);
-    }
-  for(auto& places : m_places)
-    places.assign(m_graph.rows.size(), -1);
-  m_row_sizes.resize(m_owned);
-  m_rows.assign(1, 0);
-  m_columns.clear();
-  for(std::int32_t v = 0; v < m_owned; ++v) {
-    std::sort(blocks[v].begin(), blocks[v].end());
-    m_row_sizes[v] = static_cast<std::int32_t>(blocks[v].size());
-    for(std::size_t i = 0; i < blocks[v].size(); ++i)
-      m_places[blocks[v][i].second % 2][blocks[v][i].second / 2] = static_cast<std::int32_t>(i);
-    if(static_cast<std::int64_t>(m_columns.size()) + b * b * m_row_sizes[v] > PETSC_MAX_INT || (numbers.back() + 1) * b > PETSC_MAX_INT)
-      return false;
-    for(int i = 0; i < b; ++i) {
-      for(const auto& block : blocks[v])
-        for(int j = 0; j < b; ++j)
-          m_columns.push_back(static_cast<PetscInt>(block.first * b + j));
-      m_rows.push_back(static_cast<PetscInt>(m_columns.size()));
-    }
-    blocks[v] = {};
+  const std::int32_t owned = m_world.owned_unknowns();
+  std::vector<std::array<std::int32_t, 2>> pairs;
+  for(std::int32_t v = 0; v < owned; ++v)
+    for(auto k = matrix.block_column_starts()[v] + 1; k < matrix.block_column_starts()[v + 1]; ++k)
+      if(matrix.block_row_indices()[k] < owned)
+        pairs.push_back({v, matrix.block_row_indices()[k]});
+  m_own.build_pattern(owned, matrix.block_size(), pairs);
+  m_centred.resize(0);
+  m_levels = std::make_unique<Petsc_hierarchy>();
+  return !m_world.any(owned > 0 && !m_levels->analyze_pattern(m_own));
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Distributed_hierarchy::set_positions(const Eigen::VectorXd& positions)
+{
+  const int b = m_own.block_size();
+  m_levels->set_positions(positions);
+  m_centred = positions;
+  Eigen::Map<Eigen::MatrixXd> points(m_centred.data(), b, m_centred.size() / b);
+  const double number = m_world.sum(static_cast<double>(points.cols()));
+  for(int i = 0; i < b; ++i)
+    points.row(i).array() -= m_world.sum(points.row(i).sum()) / number;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_hierarchy::build(const Block_sparse_matrix& matrix)
+{
+  Block_graph::with_block_size(m_own.block_size(), [&](auto size) { copy_blocks<size>(matrix); });
+  bool is_built = true;
+  if(m_own.rows() > 0) {
+    const Petsc_scope scope;
+    is_built = scope.is_ready() && m_levels->build(m_own);
   }
-  m_columns.shrink_to_fit();
+  if(m_world.any(!is_built))
+    return false;
+  if(m_world.size() > 1) {
+    make_modes();
+    build_coarse_system(matrix);
+  }
   return true;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void Distributed_hierarchy::set_positions(const Eigen::VectorXd& positions, const Mpi_world& world)
-{
-  const int b = m_graph.block_size;
-  m_centred = positions;
-  if(b == 1)
-    return;
-  Eigen::Map<Eigen::MatrixXd> points(m_centred.data(), b, m_centred.size() / b);
-  const double number = world.sum(static_cast<double>(points.cols()));
-  for(int i = 0; i < b; ++i)
-    points.row(i).array() -= world.sum(points.row(i).sum()) / number;
-}
-
-CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_hierarchy::fill_values(const Block_sparse_matrix& matrix)
-{
-  m_values.resize(m_columns.size());
-  return m_entries == matrix.number_of_entries() &&
-         Block_graph::with_block_size(m_graph.block_size, [&](auto size) { return fill_blocks<size>(matrix.values()); });
-}
-
+// Owned unknowns come first, and rows are ascending: the blocks of owned ones are the first of each column.
 template <int b>
-bool Distributed_hierarchy::fill_blocks(const std::vector<double>& values)
+void Distributed_hierarchy::copy_blocks(const Block_sparse_matrix& matrix)
 {
-  bool is_positive = true;
-  std::int64_t k = -1;
-  m_graph.for_each_block<b>(values, [&](std::int32_t v, std::int32_t w, const double* const* block) {
-    ++k;
-    if(v == w && v < m_owned) {
-      Eigen::Matrix<double, b, b> diagonal;
-      for(int j = 0; j < b; ++j)
-        for(int i = j; i < b; ++i)
-          diagonal(i, j) = diagonal(j, i) = block[j][i];
-      is_positive = is_positive && Eigen::LLT<Eigen::Matrix<double, b, b>>(diagonal).info() == Eigen::Success && diagonal.allFinite();
-      for(int i = 0; i < b; ++i)
-        for(int j = 0; j < b; ++j)
-          m_values[m_rows[v * b + i] + m_places[0][k] * b + j] = diagonal(i, j);
-      return;
+  m_own.set_zero();
+  for(std::int32_t v = 0; v < m_own.number_of_vertices(); ++v)
+    for(auto k = m_own.block_column_starts()[v]; k < m_own.block_column_starts()[v + 1]; ++k) {
+      const std::int32_t w = m_own.block_row_indices()[k], slot = static_cast<std::int32_t>(k - m_own.block_column_starts()[v]);
+      Eigen::Matrix<double, b, b> block;
+      matrix.get_block(v, w, slot, block);
+      m_own.add_block(v, w, slot, block);
     }
-    for(int i = 0; i < b; ++i)
-      for(int j = 0; j < b; ++j) {
-        if(v != w && v < m_owned)
-          m_values[m_rows[v * b + j] + m_places[0][k] * b + i] = block[j][i];
-        if(v != w && w < m_owned)
-          m_values[m_rows[w * b + i] + m_places[1][k] * b + j] = block[j][i];
-      }
-  });
-  return is_positive;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_hierarchy::build(MPI_Comm comm)
+// Translations, and rotations around the middle of the mesh where rows are coordinates.
+CGAL_FLIP_FREE_MAPS_INLINE void Distributed_hierarchy::make_modes()
 {
-  m_levels.clear();
-  const PetscInt rows = static_cast<PetscInt>(m_rows.size()) - 1, b = m_graph.block_size;
-  bool made = true;
-  if(m_matrix == nullptr)
-    made = succeeded(MatCreateMPIAIJWithArrays(comm, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, m_rows.data(), m_columns.data(),
-                                               m_values.data(), m_matrix.receive())) &&
-           succeeded(MatSetBlockSize(m_matrix, b)) && succeeded(MatSetOption(m_matrix, MAT_SPD, PETSC_TRUE));
-  else
-    made = succeeded(MatUpdateMPIAIJWithArray(m_matrix, m_values.data()));
-  m_values = std::vector<double>();
-  return made && m_levels.build(m_matrix, b, m_centred);
+  const int b = m_own.block_size();
+  const bool rotates = m_world.any(m_centred.size() > 0) && (b == 2 || b == 3);
+  const Eigen::VectorXd places = m_world.with_ghosts(rotates ? m_centred : Eigen::VectorXd(Eigen::VectorXd::Zero(m_own.rows())));
+  m_modes.setZero(places.size(), rotates ? b * (b + 1) / 2 : b);
+  for(Eigen::Index row = 0; row < places.size(); row += b) {
+    int mode = b;
+    for(int i = 0; i < b; ++i)
+      m_modes(row + i, i) = 1;
+    for(int i = 0; rotates && i < b; ++i)
+      for(int j = i + 1; j < b; ++j, ++mode) {
+        m_modes(row + i, mode) = -places[row + j];
+        m_modes(row + j, mode) = places[row + i];
+      }
+  }
+}
+
+// The matrix between the motions of all parts: this rank forms the rows of its own, with the ghosts moving as their owners do.
+CGAL_FLIP_FREE_MAPS_INLINE void Distributed_hierarchy::build_coarse_system(const Block_sparse_matrix& matrix)
+{
+  const Eigen::Index modes = m_modes.cols(), owned = m_own.rows(), size = modes * m_world.size();
+  const int b = m_own.block_size();
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(modes, size);
+  const auto add = [&](int rank, Eigen::Index first, Eigen::Index number) {
+    Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(m_modes.rows(), modes);
+    moved.middleRows(first, number) = m_modes.middleRows(first, number);
+    const Eigen::MatrixXd forces = matrix.lower().selfadjointView<Eigen::Lower>() * moved;
+    rows.middleCols(modes * rank, modes) += m_modes.topRows(owned).transpose() * forces.topRows(owned);
+  };
+  add(m_world.rank(), 0, owned);
+  for(const auto& ghosts : m_world.ghosts_of_unknowns())
+    add(ghosts.rank, Eigen::Index(b) * ghosts.first, Eigen::Index(b) * ghosts.number);
+  const std::vector<double> all = m_world.gather(std::vector<double>(rows.data(), rows.data() + rows.size()));
+  Eigen::MatrixXd system(size, size);
+  for(int r = 0; r < m_world.size(); ++r)
+    system.middleRows(modes * r, modes) = Eigen::Map<const Eigen::MatrixXd>(all.data() + r * modes * size, modes, size);
+  // A part without unknowns has motions that move nothing.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (system + system.transpose()));
+  const double vanishing = 1e-12 * eigen.eigenvalues().cwiseAbs().maxCoeff();
+  const Eigen::VectorXd inverses = eigen.eigenvalues().unaryExpr([vanishing](double value) { return value > vanishing ? 1 / value : 0.; });
+  m_coarse = eigen.eigenvectors() * inverses.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Distributed_hierarchy::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+{
+  bool is_solved = true;
+  x.setZero(b.size());
+  if(m_own.rows() > 0) {
+    const Petsc_scope scope;
+    is_solved = scope.is_ready() && m_levels->cycle(b, x) && x.allFinite();
+  }
+  if(m_world.any(!is_solved))
+    return false;
+  if(m_world.size() == 1)
+    return true;
+  const Eigen::Index modes = m_modes.cols();
+  const auto own = m_modes.topRows(b.size());
+  const Eigen::VectorXd forces = own.transpose() * b;
+  const std::vector<double> all = m_world.gather(std::vector<double>(forces.data(), forces.data() + modes));
+  const Eigen::Map<const Eigen::VectorXd> right(all.data(), static_cast<Eigen::Index>(all.size()));
+  x += own * (m_coarse.middleRows(modes * m_world.rank(), modes) * right);
+  return true;
 }
 
 } // namespace internal

@@ -12,7 +12,6 @@
 
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Block_graph.h>
-#include <CGAL/Flip_free_maps/linear_solvers/internal/Petsc_levels.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Petsc_scope.h>
 
 #include <Eigen/Core>
@@ -34,11 +33,16 @@ public:
 
   bool build(const Block_sparse_matrix& matrix);
 
-  bool cycle(const Eigen::VectorXd& b, Eigen::VectorXd& x) { return m_levels.cycle(b, x); }
+  bool cycle(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
   std::int64_t number_of_entries() const { return static_cast<std::int64_t>(m_values.size()); }
 
 private:
+  // By which corrections of rigid pieces are lengthened: they are too stiff to bend, and corrections too short.
+  static constexpr double OVERCORRECTION = 1.4;
+  // Unknowns at which a direct solver takes over.
+  static constexpr PetscInt COARSEST = 1000;
+
   template <int b>
   void fill_columns();
 
@@ -46,7 +50,10 @@ private:
   bool fill_values(const Block_sparse_matrix& matrix);
 
   bool make_matrix();
-  Eigen::VectorXd centred_positions() const;
+  bool tell_rigid_motions();
+  bool make_levels();
+  bool choose_smoothers();
+  bool smooth_by_sweeps(PetscInt level);
 
   Block_graph m_graph;
   std::int64_t m_entries = -1;        // of the matrix analysed
@@ -55,7 +62,8 @@ private:
   std::vector<double> m_values;
   Eigen::VectorXd m_positions;
   Petsc_handle<Mat, MatDestroy> m_matrix;
-  Petsc_levels m_levels;
+  Petsc_handle<Vec, VecDestroy> m_right, m_left;
+  Petsc_handle<PC, PCDestroy> m_levels;
 };
 
 } // namespace internal
