@@ -44,7 +44,9 @@ public:
   /// \tparam Solve is a functor `bool operator()(const Eigen::VectorXd& b, Eigen::VectorXd& y)`, which sets y to the inverse of
   ///   the last factorized matrix times b. It returns `false` if that failed. b and y must be different objects. It has a member
   ///   function `void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& product) const`, the product of p with the matrix of the
-  ///   current map, which is meaningful where `needs_current_matrix()` returns `true`.
+  ///   current map, which is meaningful where `needs_current_matrix()` returns `true`, and `double dot(const Eigen::VectorXd& a,
+  ///   const Eigen::VectorXd& b) const` and `double norm(const Eigen::VectorXd& a) const`, which are to be used in place of
+  ///   Eigen's: in a `World` of several processes vectors hold a part of the unknowns.
   /// \param x the current positions of the vertices that are not fixed, coordinates of one vertex side by side
   /// \param gradient the gradient of the energy there, in the same layout
   /// \param solve applies the inverse of the preconditioner

@@ -57,6 +57,9 @@ public:
   /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`.
   typedef unspecified_type Concurrency_tag;
 
+  /// Optional, with a member `world` of this type: a model of `World`. Without it, the minimiser works alone.
+  typedef unspecified_type World;
+
   /// The class that runs the method on maps of dimension `D`, where `Traits` are these traits, or a class derived from them, so
   /// that derived traits inherit it: `CGAL::Flip_free_maps::Map_minimizer<D, Traits>`, or another class that is constructed from
   /// the same arguments and has `options()`, `analyze()`, `minimize()` and `move_fixed_vertices()` like it. What takes terms of

@@ -24,6 +24,7 @@ tries others with a larger diagonal.
 \cgalHasModels{CGAL::Flip_free_maps::Block_jacobi}
 \cgalHasModels{CGAL::Flip_free_maps::Cholmod_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Conjugate_gradient_solver}
+\cgalHasModels{CGAL::Flip_free_maps::Distributed_multigrid}
 \cgalHasModels{CGAL::Flip_free_maps::Eigen_simplicial_solver}
 \cgalHasModels{CGAL::Flip_free_maps::Incomplete_cholesky}
 \cgalHasModels{CGAL::Flip_free_maps::Petsc_direct_solver}
@@ -61,6 +62,11 @@ public:
 
   /// Optional: iterations of the last solve, for reports of iterative solvers.
   int iterations() const;
+
+  /// Optional, for solvers in a `World` of several processes: a constant that is known at compile time. The matrices are then those of the
+  /// local unknowns, of which the rows of owned ones are complete; vectors hold the owned ones. All processes call the same functions,
+  /// and get the same answers. No other solver is tried when a factorization fails.
+  static constexpr bool has_part_of_matrix = true;
 
   /// Optional, with `set_positions()`: a constant that is known at compile time. `false` is as if there were neither. One without
   /// the other is an error.

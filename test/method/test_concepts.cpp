@@ -14,6 +14,8 @@
 #include <CGAL/Flip_free_maps/accelerations/Inexact_newton.h>
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
 #include <CGAL/Flip_free_maps/accelerations/Nesterov.h>
+#include <CGAL/Flip_free_maps/distribution/Distributed_multigrid.h>
+#include <CGAL/Flip_free_maps/distribution/Mpi_world.h>
 #include <CGAL/Flip_free_maps/initializers/Tutte_initializer.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Conjugate_gradient_solver.h>
 #include <CGAL/Flip_free_maps/linear_solvers/Incomplete_cholesky.h>
@@ -33,6 +35,7 @@
 #include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Vertex_space_newton.h>
 #include <CGAL/Flip_free_maps/references/Progressive_reference.h>
+#include <CGAL/Flip_free_maps/worlds/Sequential_world.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -409,6 +412,13 @@ BOOST_AUTO_TEST_CASE(models)
   BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Petsc_direct_solver>));
   BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Petsc_multigrid>));
   BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Conjugate_gradient_solver<FFM::Petsc_multigrid>>));
+#endif
+
+  BOOST_CONCEPT_ASSERT((FFM::WorldConcept<FFM::Sequential_world>));
+#ifdef CGAL_FLIP_FREE_MAPS_USE_PETSC
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Distributed_multigrid>));
+  BOOST_CONCEPT_ASSERT((FFM::SymmetricSparseSolverConcept<FFM::Conjugate_gradient_solver<FFM::Distributed_multigrid, FFM::Mpi_world>>));
+  BOOST_CONCEPT_ASSERT((FFM::WorldConcept<FFM::Mpi_world>));
 #endif
 
   using Make_linear_solver = FFM::Eigen_simplicial_solver (*)();

@@ -52,8 +52,8 @@ struct Deform_volume_options
 namespace internal {
 
 // Deforms a solid that `load(message)` reads into `volume`.
-template <typename Vertex, typename Load, typename Handles, typename VertexPointMap, typename Traits>
-Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex>& volume, const Handles& handles, VertexPointMap result,
+template <typename Vertex, typename World, typename Load, typename Handles, typename VertexPointMap, typename Traits>
+Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex, World>& volume, const Handles& handles, VertexPointMap result,
                              const Traits& traits, const Deform_volume_options& options)
 {
   Summary summary;
@@ -67,7 +67,7 @@ Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex>& volume, c
   };
   const Deadline deadline(traits.options.max_seconds);
   const auto solve = [&] {
-    if(domain.number_of_elements() == 0)
+    if(!volume.world().any(domain.number_of_elements() > 0))
       return fail(Status::empty_mesh, "the domain holds no tetrahedra");
     if(volume.number_of_components() > 1)
       return fail(Status::several_components, "the tetrahedra form several components");
@@ -96,19 +96,22 @@ Summary deform_loaded_volume(Load&& load, const Volume_domain<Vertex>& volume, c
     for(const auto& [i, j] : repeated_handles(constraints.fixed_vertices))
       if(exact_places[i].second != exact_places[j].second)
         return fail(Status::invalid_option, TWO_TARGETS + (", as numbers " + std::to_string(i)) + " and " + std::to_string(j));
-    if(targets.allFinite() && Obstructions<3, typename Traits::Kernel>(domain, constraints.fixed_vertices, targets).find(summary))
-      return;
+    // Where the whole mesh is: the faces of a part are no boundary.
+    if constexpr(World::is_sequential)
+      if(targets.allFinite() && Obstructions<3, typename Traits::Kernel>(domain, constraints.fixed_vertices, targets).find(summary))
+        return;
     typename Traits::template Minimizer<3, Traits> minimizer(domain, traits, constraints);
     minimizer.move_fixed_vertices(x, targets, summary);
     const auto is_on_its_way = [&](const auto& place) { return x.col(place.first) != targets.col(place.first); };
     exact_places.erase(std::remove_if(exact_places.begin(), exact_places.end(), is_on_its_way), exact_places.end());
   };
-  run_map(summary, load, solve, [&] {
+  const auto write = [&] {
     std::string message;
     const Status status = volume.write_back(x, result, message, exact_places);
     if(status != Status::success)
       fail(status, message);
-  });
+  };
+  run_map(summary, load, solve, write, volume.world());
   return summary;
 }
 
@@ -180,7 +183,7 @@ Summary deform_volume(const PointRange& points, const TetrahedronRange& tetrahed
       values.push_back(internal::make_point_3<Point>(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])));
     return volume.load(points, tetrahedra, message);
   };
-  const Summary summary = internal::deform_loaded_volume<std::size_t>(
+  const Summary summary = internal::deform_loaded_volume<std::size_t, Sequential_world>(
     load, volume, vertex_handles, internal::Array_map<Point>{&values}, internal::chosen_traits<Flip_free_map_traits<>>(np),
     internal::parameter_or(np, internal::volume_options_tag, Deform_volume_options()));
   if(summary.is_valid())

@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ACCELERATIONS_INEXACT_NEWTON_H
 #define CGAL_FLIP_FREE_MAPS_ACCELERATIONS_INEXACT_NEWTON_H
 
+#include <CGAL/Flip_free_maps/accelerations/internal/acceleration_traits.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -51,7 +53,7 @@ public:
   template <typename Solve>
   bool direction(const Eigen::VectorXd& /* x */, const Eigen::VectorXd& gradient, Solve&& solve, Eigen::VectorXd& direction)
   {
-    const double norm = gradient.norm();
+    const double norm = internal::norm(solve, gradient);
     if(m_first_gradient == 0)
       m_first_gradient = norm;
     const double bound =
@@ -62,10 +64,11 @@ public:
       return false;
     direction.setZero(gradient.size());
     Eigen::VectorXd search = preconditioned;
-    double decrease = residual.dot(preconditioned);
-    for(int step = 0; step < max_steps && residual.norm() > bound; ++step) {
+    double decrease = internal::dot(solve, residual, preconditioned);
+    int step = 0;
+    for(; step < max_steps && internal::norm(solve, residual) > bound; ++step) {
       solve.multiply(search, product);
-      const double curvature = search.dot(product);
+      const double curvature = internal::dot(solve, search, product);
       if(!(curvature > 0 && decrease > 0))
         break;
       const double length = decrease / curvature;
@@ -73,12 +76,12 @@ public:
       residual -= length * product;
       if(!solve(residual, preconditioned))
         return false;
-      const double next = residual.dot(preconditioned);
+      const double next = internal::dot(solve, residual, preconditioned);
       search = preconditioned + next / decrease * search;
       decrease = next;
     }
     // Without a first step the preconditioner alone leads on.
-    if(direction.isZero(0))
+    if(step == 0)
       direction = search;
     return true;
   }

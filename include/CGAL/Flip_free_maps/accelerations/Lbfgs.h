@@ -8,6 +8,8 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ACCELERATIONS_LBFGS_H
 #define CGAL_FLIP_FREE_MAPS_ACCELERATIONS_LBFGS_H
 
+#include <CGAL/Flip_free_maps/accelerations/internal/acceleration_traits.h>
+
 #include <Eigen/Core>
 
 #include <deque>
@@ -46,8 +48,8 @@ public:
   {
     if(m_x.size() == x.size()) {
       Pair pair{x - m_x, gradient - m_gradient, 0};
-      const double curvature = pair.step.dot(pair.change);
-      if(curvature > 1e-12 * pair.step.norm() * pair.change.norm()) {
+      const double curvature = internal::dot(solve, pair.step, pair.change);
+      if(curvature > 1e-12 * internal::norm(solve, pair.step) * internal::norm(solve, pair.change)) {
         pair.rho = 1 / curvature;
         m_pairs.push_back(std::move(pair));
         if(static_cast<int>(m_pairs.size()) > m_memory)
@@ -60,13 +62,13 @@ public:
     Eigen::VectorXd q = gradient;
     Eigen::VectorXd alpha(m_pairs.size());
     for(int i = static_cast<int>(m_pairs.size()) - 1; i >= 0; --i) {
-      alpha[i] = m_pairs[i].rho * m_pairs[i].step.dot(q);
+      alpha[i] = m_pairs[i].rho * internal::dot(solve, m_pairs[i].step, q);
       q -= alpha[i] * m_pairs[i].change;
     }
     if(!solve(q, direction))
       return false;
     for(int i = 0; i < static_cast<int>(m_pairs.size()); ++i) {
-      const double beta = m_pairs[i].rho * m_pairs[i].change.dot(direction);
+      const double beta = m_pairs[i].rho * internal::dot(solve, m_pairs[i].change, direction);
       direction += (alpha[i] - beta) * m_pairs[i].step;
     }
     direction = -direction;

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/Disjoint_sets.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
+#include <CGAL/Flip_free_maps/worlds/Sequential_world.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
@@ -68,15 +69,38 @@ inline bool spatial_rest_shape(const Matrix<3>& edges, Matrix<3>& rest_inverse, 
   return rest_inverse.allFinite() && volume > 0;
 }
 
-// The number of sets of elements that are linked by common vertices.
-template <std::size_t N>
-std::int32_t count_components(const std::vector<std::array<std::int32_t, N>>& elements, std::int32_t number_of_vertices)
+// The number of sets of elements that are linked by common vertices. Where there are several parts of a mesh, each vertex takes the
+// least number of the vertices that it is linked to, within its part and by the ghosts of others, until all have that of their set.
+template <std::size_t N, typename World = Sequential_world>
+std::int32_t count_components(const std::vector<std::array<std::int32_t, N>>& elements, std::int32_t number_of_vertices,
+                              const World& world = World())
 {
   Disjoint_sets sets(number_of_vertices);
   std::int32_t components = number_of_vertices;
   for(const auto& element : elements)
     for(std::size_t k = 1; k < N; ++k)
       components -= sets.unite(element[0], element[k]);
+  if constexpr(!World::is_sequential) {
+    Eigen::Matrix<double, 1, Eigen::Dynamic> labels(number_of_vertices), least(number_of_vertices);
+    for(std::int32_t v = 0; v < number_of_vertices; ++v)
+      labels[v] = static_cast<double>(world.global_numbers()[v]);
+    const std::int32_t owned = world.owned_vertices(number_of_vertices);
+    for(bool changes = true; world.any(changes);) {
+      changes = false;
+      least.setConstant(std::numeric_limits<double>::infinity());
+      for(std::int32_t v = 0; v < number_of_vertices; ++v)
+        least[sets.root(v)] = (std::min)(least[sets.root(v)], labels[v]);
+      for(std::int32_t v = 0; v < owned; ++v) {
+        changes = changes || least[sets.root(v)] < labels[v];
+        labels[v] = least[sets.root(v)];
+      }
+      world.update_ghosts(labels);
+    }
+    double own = 0;
+    for(std::int32_t v = 0; v < owned; ++v)
+      own += labels[v] == static_cast<double>(world.global_numbers()[v]) ? 1 : 0;
+    components = static_cast<std::int32_t>(world.sum(own));
+  }
   return components;
 }
 
@@ -94,12 +118,24 @@ std::int32_t count_components(const std::vector<std::array<std::int32_t, N>>& el
 /// two vertices of each element exchanged in the flat arrays; neither the numbers of the vertices nor the result are affected.
 ///
 /// \tparam Vertex_ what the user names a vertex by: a handle, or a number
-template <typename Vertex_>
+/// \tparam World_ must be a model of `World`. Where it is not sequential the arrays hold a part of the mesh, as the world says: the
+///   elements that are counted first, and the owned vertices; the other functions are called by all processes then
+template <typename Vertex_, typename World_ = Sequential_world>
 class Volume_domain
 {
 public:
   /// Vertex of the user's mesh.
   using Vertex = Vertex_;
+  /// Where the parts of the mesh are.
+  using World = World_;
+
+  Volume_domain() = default;
+
+  /// In a world that is not made by default.
+  explicit Volume_domain(const World& world) : m_world(world) {}
+
+  /// Where the parts of the mesh are.
+  const World& world() const { return m_world; }
 
   /// The flat arrays. `rest_points` holds the rest positions, which are the identity as a map.
   const Simplicial_domain<3>& domain() const { return m_domain; }
@@ -156,7 +192,7 @@ public:
     const auto is_positive = [&](const Simplicial_domain<3>::Element& e) {
       return internal::is_positively_oriented<CGAL::Exact_predicates_inexact_constructions_kernel>(e, converted);
     };
-    if(!converted.allFinite() || !std::all_of(m_domain.elements.begin(), m_domain.elements.end(), is_positive)) {
+    if(m_world.any(!converted.allFinite() || !std::all_of(m_domain.elements.begin(), m_domain.elements.end(), is_positive))) {
       message = "elements flip when the map is converted to the number type of the result";
       return Status::result_not_representable;
     }
@@ -201,11 +237,11 @@ protected:
   template <typename PointOfVertex>
   Status finish(PointOfVertex&& point, std::string& message)
   {
-    if(m_domain.elements.empty()) {
+    if(!m_world.any(!m_domain.elements.empty())) {
       message = "there is no tetrahedron";
       return Status::empty_mesh;
     }
-    if(m_vertices.size() > static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)() / 4)) {
+    if(m_world.any(m_vertices.size() > static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)() / 4))) {
       message = "the mesh has more vertices than 32-bit numbers can count";
       return Status::out_of_memory;
     }
@@ -214,7 +250,7 @@ protected:
     Positions<3> points(3, m_vertices.size());
     for(std::size_t v = 0; v < m_vertices.size(); ++v)
       points.col(v) = point(m_vertices[v]);
-    if(!points.allFinite()) {
+    if(m_world.any(!points.allFinite())) {
       message = "a coordinate of the mesh is NaN or infinite";
       return Status::non_finite_input;
     }
@@ -224,7 +260,7 @@ protected:
     if(status != Status::success)
       return status;
 
-    m_number_of_components = internal::count_components(m_domain.elements, m_domain.number_of_vertices);
+    m_number_of_components = internal::count_components(m_domain.elements, m_domain.number_of_vertices, m_world);
     if(m_number_of_components > 1) {
       message = "the mesh has " + std::to_string(m_number_of_components) + " components without common vertices";
       return Status::several_components;
@@ -233,33 +269,46 @@ protected:
   }
 
 private:
-  static std::string numbered(const char* text, std::size_t e) { return text + std::to_string(e); }
+  // The numbers of elements in a part of a mesh mean nothing to the user.
+  static std::string numbered(const char* text, std::size_t e)
+  {
+    return World::is_sequential ? std::string(text) + " has tetrahedron number " + std::to_string(e)
+                                : std::string(text) + " has a tetrahedron";
+  }
 
   Status orient(const Positions<3>& points, std::string& message)
   {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     const auto point = [&points](std::int32_t v) { return Kernel::Point_3(points(0, v), points(1, v), points(2, v)); };
-    std::size_t negative = 0, first_negative = 0, first_positive = 0;
-    for(std::size_t e = m_domain.elements.size(); e-- > 0;) {
+    constexpr std::size_t NONE = (std::numeric_limits<std::size_t>::max)();
+    const std::size_t counted = static_cast<std::size_t>(m_world.counted_elements(m_domain.number_of_elements()));
+    std::size_t negative = 0, first_negative = 0, first_positive = 0, flat = NONE;
+    for(std::size_t e = counted; e-- > 0 && flat == NONE;) {
       const Simplicial_domain<3>::Element& v = m_domain.elements[e];
       const CGAL::Orientation orientation = Kernel::Orientation_3()(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
-      if(orientation == CGAL::ZERO) {
-        message = numbered("zero volume has tetrahedron number ", e);
-        return Status::degenerate_rest_element;
-      }
+      if(orientation == CGAL::ZERO)
+        flat = e;
       if(orientation == CGAL::NEGATIVE) {
         ++negative;
         first_negative = e;
       } else
         first_positive = e;
     }
-    m_is_reflected = negative == m_domain.elements.size();
+    if(m_world.any(flat != NONE)) {
+      message = numbered("zero volume", flat);
+      return Status::degenerate_rest_element;
+    }
+    const double all_negative = m_world.sum(static_cast<double>(negative)), all = m_world.sum(static_cast<double>(counted));
+    m_is_reflected = all_negative == all;
     if(m_is_reflected)
       for(Simplicial_domain<3>::Element& v : m_domain.elements)
         std::swap(v[2], v[3]);
-    else if(negative > 0) {
-      message = std::to_string(negative) + " of " + std::to_string(m_domain.elements.size()) + " tetrahedra are inverted at rest: number " +
-                std::to_string(first_negative) + " and number " + std::to_string(first_positive) + " have opposite orientations";
+    else if(all_negative > 0) {
+      message = std::to_string(static_cast<std::int64_t>(all_negative)) + " of " + std::to_string(static_cast<std::int64_t>(all)) +
+                " tetrahedra are inverted at rest";
+      if constexpr(World::is_sequential)
+        message +=
+          ": number " + std::to_string(first_negative) + " and number " + std::to_string(first_positive) + " have opposite orientations";
       return Status::degenerate_rest_element;
     }
     return Status::success;
@@ -268,7 +317,16 @@ private:
   Status measure(Positions<3>& points, std::string& message)
   {
     // The box brings coordinates of any magnitude into range before volumes are formed. Halves, since the extent may overflow.
-    const Eigen::Vector3d low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+    constexpr double INFINITE = std::numeric_limits<double>::infinity();
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(INFINITE), high = -low;
+    if(points.cols() > 0) {
+      low = points.rowwise().minCoeff();
+      high = points.rowwise().maxCoeff();
+    }
+    for(int i = 0; i < 3; ++i) {
+      low[i] = m_world.minimum(low[i]);
+      high[i] = -m_world.minimum(-high[i]);
+    }
     const double extent = 2 * (high / 2 - low / 2).maxCoeff();
     if(!std::isfinite(extent)) {
       message = "the extent of the mesh exceeds the range of double precision";
@@ -279,14 +337,20 @@ private:
     const std::size_t m = m_domain.elements.size();
     m_domain.measures.resize(m);
     m_domain.rest_inverses.resize(m);
+    const std::size_t counted = static_cast<std::size_t>(m_world.counted_elements(m_domain.number_of_elements()));
     double total = 0;
-    for(std::size_t e = 0; e < m; ++e) {
-      if(!internal::spatial_rest_shape(m_domain.image_edges(e, points), m_domain.rest_inverses[e], m_domain.measures[e])) {
-        message = numbered("zero volume within double precision has tetrahedron number ", e);
-        return Status::degenerate_rest_element;
-      }
-      total += m_domain.measures[e];
+    std::size_t flat = m;
+    for(std::size_t e = 0; e < m && flat == m; ++e) {
+      if(!internal::spatial_rest_shape(m_domain.image_edges(e, points), m_domain.rest_inverses[e], m_domain.measures[e]))
+        flat = e;
+      if(e < counted)
+        total += m_domain.measures[e];
     }
+    if(m_world.any(flat != m)) {
+      message = numbered("zero volume within double precision", flat);
+      return Status::degenerate_rest_element;
+    }
+    total = m_world.sum(total);
     const double length = std::cbrt(total);
     for(std::size_t e = 0; e < m; ++e) {
       m_domain.measures[e] /= total;
@@ -299,6 +363,7 @@ private:
     return Status::success;
   }
 
+  World m_world;
   Simplicial_domain<3> m_domain;
   std::vector<Vertex> m_vertices;
   std::unordered_map<Vertex, std::int32_t, boost::hash<Vertex>> m_numbers;

@@ -17,6 +17,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Laplacian_matrix.h>
 #include <CGAL/Flip_free_maps/method/Start_options.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
+#include <CGAL/Flip_free_maps/worlds/Sequential_world.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -56,14 +57,16 @@ inline const char* border_name(Border_shape border)
 /// \tparam Kernel must be a CGAL kernel with exact orientation predicates and number type `double`
 /// \tparam LinearSolver must be a model of `SymmetricSparseSolver`
 /// \tparam ConcurrencyTag as in `Flip_free_map_traits`
+/// \tparam World_ must be a model of `World`. Where it is not sequential, all processes know the whole border, the disk has no
+///   holes, and mean value weights, whose matrix is not symmetric, are not tried
 ///
 /// \cgalModels{Initializer}
-template <typename Kernel, typename LinearSolver, typename ConcurrencyTag>
+template <typename Kernel, typename LinearSolver, typename ConcurrencyTag, typename World_ = Sequential_world>
 class Tutte_initializer
 {
 public:
   /// Settings are copied.
-  explicit Tutte_initializer(const Start_options& options) : m_options(options) {}
+  explicit Tutte_initializer(const Start_options& options, const World_& world = World_()) : m_options(options), m_world(world) {}
 
   /// Computes the start.
   ///
@@ -116,9 +119,14 @@ public:
         if(w != m_options.weights)
           weights.push_back(w);
     internal::Element_coloring schedule;
-    schedule.build(domain.elements, domain.number_of_vertices);
-    const auto count = [&] { return internal::count_flips<Kernel, ConcurrencyTag>(domain, schedule, x); };
+    schedule.build(domain.elements, domain.number_of_vertices, m_world.counted_elements(domain.number_of_elements()));
+    const auto count = [&] {
+      return static_cast<std::int64_t>(
+        m_world.sum(static_cast<double>(internal::count_flips<Kernel, ConcurrencyTag>(domain, schedule, x))));
+    };
     for(Tutte_weights w : weights) {
+      if(!World_::is_sequential && w == Tutte_weights::mean_value)
+        continue;
       const std::string tried = border + ", " + weights_name(w);
       std::int64_t flips = domain.number_of_elements();
       bool has_placed_flaps = false;
@@ -126,7 +134,7 @@ public:
         orient(domain, x);
         flips = count();
         // A triangle with all its vertices on one side of a polygon is flat; its flap has a better place outside.
-        if(m_options.place_flaps || flips != 0) {
+        if(World_::is_sequential && (m_options.place_flaps || flips != 0)) {
           const Positions<2> embedded = x;
           const bool has_flaps = place_flaps(domain, x);
           const std::int64_t flips_after = count();
@@ -232,8 +240,8 @@ private:
   }
 
   template <typename MakeLinearSolver>
-  static bool embed(const Simplicial_domain<2>& domain, const Positions<2>& border_positions, Tutte_weights kind,
-                    MakeLinearSolver&& make_linear_solver, Positions<2>& x)
+  bool embed(const Simplicial_domain<2>& domain, const Positions<2>& border_positions, Tutte_weights kind,
+             MakeLinearSolver&& make_linear_solver, Positions<2>& x) const
   {
     if(!domain.holes.empty()) {
       const bool done = embed(internal::fill_holes(domain), border_positions, kind, make_linear_solver, x);
@@ -244,11 +252,12 @@ private:
     for(std::size_t i = 0; i < domain.border.size(); ++i)
       x.col(domain.border[i]) = border_positions.col(i);
     const internal::Unknowns unknowns(domain.number_of_vertices, domain.border);
-    if(unknowns.size() == 0)
+    World_(m_world).number_unknowns(unknowns.numbers());
+    if(!m_world.any(unknowns.size() > 0))
       return true;
     const bool solved = kind == Tutte_weights::mean_value ? solve_unsymmetric(domain, kind, unknowns, x)
                                                           : solve_symmetric(domain, kind, unknowns, make_linear_solver(), x);
-    return solved && x.allFinite();
+    return !m_world.any(!solved || !x.allFinite());
   }
 
   // One vector for each coordinate.
@@ -283,15 +292,20 @@ private:
   }
 
   template <typename Solver>
-  static bool solve_symmetric(const Simplicial_domain<2>& domain, Tutte_weights kind, const internal::Unknowns& unknowns, Solver&& solver,
-                              Positions<2>& x)
+  bool solve_symmetric(const Simplicial_domain<2>& domain, Tutte_weights kind, const internal::Unknowns& unknowns, Solver&& solver,
+                       Positions<2>& x) const
   {
     internal::Laplacian_matrix matrix(unknowns, domain.elements);
-    const Coordinates right =
+    Coordinates right =
       assemble(domain, kind, unknowns, x, [&](std::int32_t v, std::int32_t w, double weight) { matrix.add_neighbor(v, w, weight); });
+    for(Eigen::VectorXd& side : right)
+      m_world.keep_owned(side);
     Coordinates left;
     if(!matrix.factorize(solver) || !solver.solve(right[0], left[0]) || !solver.solve(right[1], left[1]))
       return false;
+    if constexpr(!World_::is_sequential)
+      for(Eigen::VectorXd& side : left)
+        side = Eigen::VectorXd(m_world.with_ghosts(side));
     spread(left, unknowns, x);
     return true;
   }
@@ -353,6 +367,7 @@ private:
   }
 
   Start_options m_options;
+  World_ m_world;
 };
 
 } // namespace Flip_free_maps

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/catch_out_of_memory.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
+#include <CGAL/Flip_free_maps/worlds/Sequential_world.h>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -35,10 +36,11 @@ void account_run(Account& summary, Run&& run)
 // The way of all maps from the user's mesh to the user's result: `load(message)` makes flat arrays and returns a status; `solve()`
 // makes a start, minimises, and enters how it ended in the summary, which it may replace; `write()` certifies the map in the
 // user's numbers and hands it out.
-template <typename Account, typename Load, typename Solve, typename Write>
-void run_map(Account& summary, Load&& load, Solve&& solve, Write&& write)
+// Where several processes run it, all of them do so in `world`.
+template <typename Account, typename Load, typename Solve, typename Write, typename World = Sequential_world>
+void run_map(Account& summary, Load&& load, Solve&& solve, Write&& write, const World& world = World())
 {
-  account_run(summary, [&] {
+  const auto run = [&] {
     double seconds = 0;
     {
       const Phase_timer timer(seconds);
@@ -54,7 +56,8 @@ void run_map(Account& summary, Load&& load, Solve&& solve, Write&& write)
     const Unbound_work certificate;
     const Phase_timer timer(summary.seconds.certify);
     write();
-  });
+  };
+  account_run(summary, [&] { world.together(run); });
 }
 
 } // namespace internal

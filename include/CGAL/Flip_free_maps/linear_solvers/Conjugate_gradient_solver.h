@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Incomplete_cholesky.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/Symmetric_product.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/linear_solver_traits.h>
+#include <CGAL/Flip_free_maps/worlds/Sequential_world.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Flip_free_maps {
@@ -89,22 +91,30 @@ private:
 /// steps of Newton still converge faster than linearly (the inexact Newton rule of Dembo and Steihaug).
 ///
 /// \tparam Preconditioner_ must be a model of `SymmetricSparseSolver`, of which it is only asked that it solves with some symmetric
-///   positive definite matrix: `Incomplete_cholesky`, `Petsc_multigrid` or `Block_jacobi`
+///   positive definite matrix: `Incomplete_cholesky`, `Petsc_multigrid`, `Block_jacobi` or, over MPI, `Distributed_multigrid`
+/// \tparam World_ must be a model of `World`: where vectors and matrices are
 ///
 /// Complexity: more than half as much memory as the matrix, and the preconditioner; iterations grow with the number of vertices
 /// along the mesh and with the distortion.
 ///
 /// \cgalModels{SymmetricSparseSolver}
-template <typename Preconditioner_ = Incomplete_cholesky>
+template <typename Preconditioner_ = Incomplete_cholesky, typename World_ = Sequential_world>
 class Conjugate_gradient_solver
 {
 public:
   static constexpr bool takes_positions = internal::Takes_positions<Preconditioner_>::value; ///< for the preconditioner
+  static constexpr bool has_part_of_matrix = !World_::is_sequential; ///< the rows of unknowns that this process owns
 
   /// \param tolerance of the first solve
   /// \param max_iterations at which the last iterate is taken as it is
   explicit Conjugate_gradient_solver(double tolerance = 0.01, int max_iterations = 2000)
     : m_tolerance(tolerance), m_max_iterations(max_iterations)
+  {}
+
+  /// The same for vectors and matrices of which each process has a part; the preconditioner is made in that world.
+  template <typename World, std::enable_if_t<std::is_same_v<World, World_> && !World::is_sequential, int> = 0>
+  explicit Conjugate_gradient_solver(const World& world, double tolerance = 0.01, int max_iterations = 2000)
+    : m_tolerance(tolerance), m_max_iterations(max_iterations), m_world(world), m_preconditioner(world)
   {}
 
   /// The name with that of the preconditioner.
@@ -143,13 +153,14 @@ private:
   int m_iterations = 0;
   bool m_converged = false;
   bool m_is_ready = false;
+  World_ m_world;
   internal::Symmetric_product m_matrix;
   Preconditioner_ m_preconditioner;
   Eigen::VectorXd m_residual, m_preconditioned, m_search, m_product;
 };
 
-template <typename Preconditioner_>
-bool Conjugate_gradient_solver<Preconditioner_>::analyze_pattern(const Block_sparse_matrix& matrix)
+template <typename Preconditioner_, typename World_>
+bool Conjugate_gradient_solver<Preconditioner_, World_>::analyze_pattern(const Block_sparse_matrix& matrix)
 {
   m_is_ready = false;
   m_matrix.analyze_pattern(matrix);
@@ -157,21 +168,21 @@ bool Conjugate_gradient_solver<Preconditioner_>::analyze_pattern(const Block_spa
   return m_preconditioner.analyze_pattern(matrix);
 }
 
-template <typename Preconditioner_>
-bool Conjugate_gradient_solver<Preconditioner_>::factorize(const Block_sparse_matrix& matrix)
+template <typename Preconditioner_, typename World_>
+bool Conjugate_gradient_solver<Preconditioner_, World_>::factorize(const Block_sparse_matrix& matrix)
 {
   m_is_ready = m_matrix.copy(matrix) && m_preconditioner.factorize(matrix);
   return m_is_ready;
 }
 
-template <typename Preconditioner_>
-bool Conjugate_gradient_solver<Preconditioner_>::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
+template <typename Preconditioner_, typename World_>
+bool Conjugate_gradient_solver<Preconditioner_, World_>::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x)
 {
   m_iterations = 0;
   m_converged = false;
   if(!m_is_ready)
     return false;
-  const double length = b.norm();
+  const double length = m_world.norm(b);
   m_longest = (std::max)(m_longest, length);
   x.setZero(b.size());
   if(length == 0) {
@@ -185,7 +196,7 @@ bool Conjugate_gradient_solver<Preconditioner_>::solve(const Eigen::VectorXd& b,
     internal::ask_deadline();
     if(!m_preconditioner.solve(m_residual, m_preconditioned))
       return false;
-    const double next = m_residual.dot(m_preconditioned);
+    const double next = m_world.dot(m_residual, m_preconditioned);
     // A multigrid of a matrix that is not positive need not be positive itself.
     if(!(next > 0)) {
       if(m_iterations == 0)
@@ -197,22 +208,23 @@ bool Conjugate_gradient_solver<Preconditioner_>::solve(const Eigen::VectorXd& b,
     else
       m_search = m_preconditioned + next / decrease * m_search;
     decrease = next;
-    m_matrix.multiply(m_search, m_product);
+    m_matrix.multiply(m_world.with_ghosts(m_search), m_product);
+    m_world.keep_owned(m_product);
     ++m_iterations;
-    const double curvature = m_search.dot(m_product);
+    const double curvature = m_world.dot(m_search, m_product);
     if(!(curvature > 0))
       break;
     x += decrease / curvature * m_search;
     m_residual -= decrease / curvature * m_product;
-    if(m_residual.norm() <= bound) {
+    if(m_world.norm(m_residual) <= bound) {
       m_converged = true;
       break;
     }
   }
   // Where the matrix is not positive at once, the preconditioner alone leads on.
-  if(m_iterations == 1 && !m_converged && x.isZero(0))
+  if(m_iterations == 1 && !m_converged && !m_world.any(!x.isZero(0)))
     x = m_search;
-  return x.allFinite();
+  return !m_world.any(!x.allFinite());
 }
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE

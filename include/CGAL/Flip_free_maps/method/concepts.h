@@ -15,6 +15,7 @@
 #include <CGAL/Flip_free_maps/method/Map_options.h>
 #include <CGAL/Flip_free_maps/method/Start_options.h>
 #include <CGAL/Flip_free_maps/report/Status.h>
+#include <CGAL/Flip_free_maps/worlds/internal/world_traits.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
@@ -27,6 +28,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 /// \file
 /// Compile-time checks of the concepts of the package, to be used like those of Boost:
@@ -162,6 +164,8 @@ private:
   {
     bool operator()(const Eigen::VectorXd&, Eigen::VectorXd&) const { return false; }
     void multiply(const Eigen::VectorXd&, Eigen::VectorXd&) const {}
+    double dot(const Eigen::VectorXd&, const Eigen::VectorXd&) const { return 0; }
+    double norm(const Eigen::VectorXd&) const { return 0; }
   };
   /// \endcond
 };
@@ -226,6 +230,42 @@ struct InitializerConcept : boost::CopyConstructible<I>
 };
 
 /// \ingroup PkgFlipFreeMapsConcepts
+/// Checks that `W` is a model of `World`.
+template <typename W>
+struct WorldConcept : boost::CopyConstructible<W>
+{
+  /// \cond SKIP_IN_MANUAL
+  BOOST_CONCEPT_USAGE(WorldConcept)
+  {
+    using internal::gives;
+    using Vector = Eigen::VectorXd;
+    static_assert(gives<bool, const W&>([](auto& w) -> std::bool_constant<std::decay_t<decltype(w)>::is_sequential> {}),
+                  "World: is_sequential must be a constant");
+    static_assert(gives<std::int64_t, const W&>([](auto& w) -> decltype(w.counted_elements(std::int64_t())) {}),
+                  "World: counted_elements(elements) const must return a number");
+    static_assert(gives<std::int32_t, const W&>([](auto& w) -> decltype(w.owned_vertices(std::int32_t())) {}),
+                  "World: owned_vertices(vertices) const must return a number");
+    static_assert(gives<double, const W&>([](auto& w) -> decltype(w.sum(0.) + w.minimum(0.)) {}),
+                  "World: sum(x) const and minimum(x) const must return a number");
+    static_assert(gives<int, const W&>([](auto& w) -> decltype(w.maximum(0)) {}), "World: maximum(x) const must return a number");
+    static_assert(gives<bool, const W&>([](auto& w) -> decltype(w.any(false)) {}), "World: any(x) const must return whether one has it");
+    static_assert(gives<double, const W&, const Vector&>([](auto& w, auto& a) -> decltype(w.dot(a, a) + w.norm(a)) {}),
+                  "World: dot(a, b) const and norm(a) const must return a number");
+    static_assert(gives<void, W&, const std::vector<std::int32_t>&>([](auto& w, auto& n) -> decltype(w.number_unknowns(n)) {}),
+                  "World: number_unknowns(numbers) is missing");
+    static_assert(gives<bool, const W&>([](auto& w) -> decltype(w.owns_first_unknown()) {}),
+                  "World: owns_first_unknown() const must return whether it does");
+    static_assert(gives<const Vector&, const W&, const Vector&>([](auto& w, auto& a) -> decltype(w.with_ghosts(a)) {}),
+                  "World: with_ghosts(owned) const must return a vector");
+    static_assert(gives<void, const W&, Vector&>([](auto& w, auto& a) -> decltype(w.keep_owned(a)) {}),
+                  "World: keep_owned(vector) const is missing");
+    static_assert(gives<void, const W&, void (*const&)()>([](auto& w, auto& f) -> decltype(w.together(f)) {}),
+                  "World: together(f) const is missing");
+  }
+  /// \endcond
+};
+
+/// \ingroup PkgFlipFreeMapsConcepts
 /// Checks that `Traits` is a model of `MapTraits` for maps of dimension `D`, and that its parts are models of their concepts.
 template <typename Traits, int D>
 struct MapTraitsConcept : boost::CopyConstructible<Traits>
@@ -246,6 +286,7 @@ struct MapTraitsConcept : boost::CopyConstructible<Traits>
   BOOST_CONCEPT_ASSERT((SymmetricSparseSolverConcept<Linear_solver>));
   BOOST_CONCEPT_ASSERT((AccelerationConcept<Acceleration>));
   BOOST_CONCEPT_ASSERT((RefactorizationRuleConcept<Refactorization_rule>));
+  BOOST_CONCEPT_ASSERT((WorldConcept<typename internal::World_of<Traits>::type>));
 
   // Only the name: the class may be incomplete here, and checks the traits itself.
   using Minimizer = typename Traits::template Minimizer<D, Traits>;

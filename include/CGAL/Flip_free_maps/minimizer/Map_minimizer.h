@@ -29,18 +29,22 @@
 #include <CGAL/Flip_free_maps/minimizer/internal/remove_rigid_motion.h>
 #include <CGAL/Flip_free_maps/minimizer/line_search.h>
 #include <CGAL/Flip_free_maps/preconditioners/Iteration_state.h>
+#include <CGAL/Flip_free_maps/references/Fixed_reference.h>
 #include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
+#include <CGAL/Flip_free_maps/worlds/internal/world_traits.h>
 
 #include <boost/concept_check.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <new>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -133,48 +137,79 @@ public:
 
 private:
   using Run = internal::Minimizer_run<D>;
+  using World = typename internal::World_of<Traits>::type;
+
+  const World& world() const { return m_objective.world(); }
+
+  // What the minimiser cannot do with a part of the mesh, null if nothing of it is asked for.
+  const char* refusal_by_world() const
+  {
+    if constexpr(!World::is_sequential) {
+      if(!std::is_same<typename Traits::Reference, Fixed_reference>::value)
+        return "references other than the rest shape are for one process";
+      if(m_objective.has_terms())
+        return "terms beside the energy of the elements are for one process";
+      if(m_objective.has_sliding_vertices())
+        return "sliding vertices are for one process";
+      if(m_traits.options.free_blocked_vertices)
+        return "vertices are moved one by one in one process only: Map_options::free_blocked_vertices has to be false";
+      if(m_traits.options.renew_factorization)
+        return "factorizations are renewed in one process only: Map_options::renew_factorization has to be false";
+    }
+    return nullptr;
+  }
 
   // Whatever happens inside, `x` changes only if the map is valid.
   template <typename Body>
   void guarded(Positions<D>& x, Summary& summary, Body&& body)
   {
-    summary.vertices = m_domain.number_of_vertices;
-    summary.elements = m_domain.number_of_elements();
     summary.dimension = D;
     summary.energy_name = Traits::Energy::name();
     summary.preconditioner = Preconditioner::name();
     summary.reference = Traits::Reference::name();
     summary.acceleration = Traits::Acceleration::name();
     try {
-      Positions<D> result = x;
-      Run run(result, summary);
-      std::string message = m_constraint_error;
-      if(!message.empty() || !m_traits.options.is_valid(&message)) {
-        run.finish(Status::invalid_option, message);
-        return;
-      }
-      if(D != 2 && internal::is_planar(m_traits.preconditioner)) {
-        run.finish(Status::invalid_option, "the preconditioner is one of the plane only");
-        return;
-      }
-      if(x.cols() != m_domain.number_of_vertices) {
-        run.finish(Status::invalid_option, "the start must have a column for each vertex");
-        return;
-      }
-      const Deadline deadline(m_traits.options.max_seconds);
-      const auto reporting = m_factorization.report_to(summary);
-      try {
-        body(run);
-      } catch(const Interruption& interruption) {
-        interrupt(run, interruption);
-      }
-      if(summary.is_valid())
-        x = std::move(result);
+      world().together([&] { run_guarded(x, summary, body); });
     } catch(const std::bad_alloc&) {
       summary.status = Status::out_of_memory;
       summary.message = "memory was exhausted while minimizing";
     }
     summary.peak_memory_mb = internal::peak_memory_mb();
+  }
+
+  template <typename Body>
+  void run_guarded(Positions<D>& x, Summary& summary, Body&& body)
+  {
+    summary.vertices = static_cast<std::int64_t>(world().sum(world().owned_vertices(m_domain.number_of_vertices)));
+    summary.elements = static_cast<std::int64_t>(m_objective.number_of_elements());
+    Positions<D> result = x;
+    Run run(result, summary);
+    std::string message = m_constraint_error;
+    if(!message.empty() || !m_traits.options.is_valid(&message)) {
+      run.finish(Status::invalid_option, message);
+      return;
+    }
+    if(const char* refusal = refusal_by_world(); refusal != nullptr) {
+      run.finish(Status::invalid_option, refusal);
+      return;
+    }
+    if(D != 2 && internal::is_planar(m_traits.preconditioner)) {
+      run.finish(Status::invalid_option, "the preconditioner is one of the plane only");
+      return;
+    }
+    if(x.cols() != m_domain.number_of_vertices) {
+      run.finish(Status::invalid_option, "the start must have a column for each vertex");
+      return;
+    }
+    const Deadline deadline(m_traits.options.max_seconds);
+    const auto reporting = m_factorization.report_to(summary);
+    try {
+      world().together([&] { body(run); });
+    } catch(const Interruption& interruption) {
+      interrupt(run, interruption);
+    }
+    if(summary.is_valid())
+      x = std::move(result);
   }
 
   // Checks the start and prepares what all iterations share.
@@ -184,11 +219,12 @@ private:
     run.options = m_traits.options;
     run.time_begin = internal::wall_seconds();
     run.first_iteration = summary.iterations;
+    const bool is_finite = !world().any(!run.x.allFinite());
     {
       const internal::Phase_timer timer(summary.seconds.certify);
-      summary.flips = run.x.allFinite() ? m_steps.flips(run.x) : m_domain.number_of_elements();
+      summary.flips = is_finite ? m_steps.flips(run.x) : summary.elements;
     }
-    const bool is_usable = summary.flips == 0 || (m_steps.allows_flips() && run.x.allFinite());
+    const bool is_usable = summary.flips == 0 || (m_steps.allows_flips() && is_finite);
     m_traits.reference.restart();
     run.is_rest_reference = !is_usable || m_traits.reference.update(m_domain, run.x);
     if(is_usable)
@@ -197,7 +233,7 @@ private:
       return run.finish(Status::start_not_flip_free, "the start has flipped or collapsed elements");
     summary.energy_initial = summary.energy = run.progress.rest_energy;
     summary.energy_of_terms = m_objective.energy_of_terms(run.x);
-    run.characteristic_gradient = internal::characteristic_gradient(m_domain, m_traits.energy);
+    run.characteristic_gradient = internal::characteristic_gradient(m_domain, m_traits.energy, world());
     run.energy_of_isometry = m_traits.energy.template value<D>(internal::Vector<D>::Ones());
     if(!run.options.keep_factorization)
       m_factorization.discard();
@@ -318,8 +354,13 @@ private:
     void multiply(const Eigen::VectorXd& p, Eigen::VectorXd& product) const
     {
       internal::ask_deadline();
-      product.noalias() = minimizer.m_objective.matrix().lower().template selfadjointView<Eigen::Lower>() * p;
+      const World& world = minimizer.world();
+      product.noalias() = minimizer.m_objective.matrix().lower().template selfadjointView<Eigen::Lower>() * world.with_ghosts(p);
+      world.keep_owned(product);
     }
+
+    double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const { return minimizer.world().dot(a, b); }
+    double norm(const Eigen::VectorXd& a) const { return minimizer.world().norm(a); }
 
     Map_minimizer& minimizer;
   };
@@ -331,8 +372,8 @@ private:
     if(!m_traits.acceleration.direction(run.unknowns, run.gradient, Linear_algebra{*this}, run.direction))
       return false;
     if(m_objective.is_rigid_motion_invariant())
-      internal::remove_rigid_motion<D>(run.x, run.direction);
-    slope = run.gradient.dot(run.direction);
+      internal::remove_rigid_motion<D>(run.x, run.direction, world());
+    slope = world().dot(run.gradient, run.direction);
     m_objective.spread(run.direction, run.displacement);
     return true;
   }
@@ -432,7 +473,7 @@ Map_minimizer<D, Traits>::Map_minimizer(const Simplicial_domain<D>& domain, cons
                                         const Position_constraints<D>& constraints)
   : m_domain(domain),
     m_traits(traits),
-    m_objective(domain, m_traits.energy, m_traits.preconditioner),
+    m_objective(domain, m_traits.energy, m_traits.preconditioner, internal::World_of<Traits>::get(m_traits)),
     m_factorization(m_traits, m_objective),
     m_steps(domain, m_traits, m_objective),
     m_convergence(m_factorization, m_steps)

@@ -40,8 +40,8 @@ template void project_to_psd(Eigen::Matrix<double, 3, 3>&, bool);
 template void project_to_psd(Eigen::MatrixXd&, bool);
 template class Handle_groups<2>;
 template class Handle_groups<3>;
-template void remove_rigid_motion<2>(const Positions<2>&, Eigen::VectorXd&);
-template void remove_rigid_motion<3>(const Positions<3>&, Eigen::VectorXd&);
+template void remove_rigid_motion<2>(const Positions<2>&, Eigen::VectorXd&, const Sequential_world&);
+template void remove_rigid_motion<3>(const Positions<3>&, Eigen::VectorXd&, const Sequential_world&);
 
 } // namespace internal
 } // namespace Flip_free_maps

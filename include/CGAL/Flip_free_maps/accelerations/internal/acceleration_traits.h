@@ -45,6 +45,36 @@ bool needs_current_matrix(const Acceleration& acceleration)
     return false;
 }
 
+template <typename Solve, typename = void>
+struct Has_dot : std::false_type
+{};
+
+template <typename Solve>
+struct Has_dot<Solve, std::void_t<decltype(std::declval<const Solve&>().dot(std::declval<const Eigen::VectorXd&>(),
+                                                                            std::declval<const Eigen::VectorXd&>()))>> : std::true_type
+{};
+
+// The inner product of two vectors of unknowns, of which `solve` may hold a part.
+template <typename Solve>
+double dot(const Solve& solve, const Eigen::VectorXd& a, const Eigen::VectorXd& b)
+{
+  static_cast<void>(solve);
+  if constexpr(Has_dot<Solve>::value)
+    return solve.dot(a, b);
+  else
+    return a.dot(b);
+}
+
+template <typename Solve>
+double norm(const Solve& solve, const Eigen::VectorXd& a)
+{
+  static_cast<void>(solve);
+  if constexpr(Has_dot<Solve>::value)
+    return solve.norm(a);
+  else
+    return a.norm();
+}
+
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL

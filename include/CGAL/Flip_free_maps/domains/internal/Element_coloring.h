@@ -32,14 +32,18 @@ public:
     std::int64_t end;
   };
 
+  // Sums and minima are those of the first `counted` elements.
   template <std::size_t N>
-  void build(const std::vector<std::array<std::int32_t, N>>& elements, std::int32_t number_of_vertices)
+  void build(const std::vector<std::array<std::int32_t, N>>& elements, std::int32_t number_of_vertices,
+             std::int64_t counted = (std::numeric_limits<std::int64_t>::max)())
   {
     m_chunks.clear();
     m_colors.clear();
     const std::int64_t n = static_cast<std::int64_t>(elements.size());
-    for(std::int64_t begin = 0; begin < n; begin += CHUNK_SIZE)
-      m_chunks.push_back({begin, begin + CHUNK_SIZE < n ? begin + CHUNK_SIZE : n});
+    counted = counted < n ? counted : n;
+    split(0, counted);
+    m_counted_chunks = m_chunks.size();
+    split(counted, n);
 
     // Colours beyond the width of the masks hold one chunk each; only meshes with a vertex in very many chunks need them.
     constexpr int WIDTH = 64;
@@ -99,8 +103,8 @@ public:
   template <typename ConcurrencyTag, typename Sums, typename F>
   Sums accumulate(F&& f) const
   {
-    std::vector<Sums> partial(m_chunks.size());
-    for_each_index<ConcurrencyTag>(m_chunks.size(), [&](std::size_t c) {
+    std::vector<Sums> partial(m_counted_chunks);
+    for_each_index<ConcurrencyTag>(m_counted_chunks, [&](std::size_t c) {
       Sums sums;
       for(std::int64_t e = m_chunks[c].begin; e < m_chunks[c].end; ++e)
         f(e, sums);
@@ -128,8 +132,8 @@ public:
   template <typename ConcurrencyTag, typename F>
   double sum_of_chunks(F&& f) const
   {
-    std::vector<double> partial(m_chunks.size());
-    for_each_index<ConcurrencyTag>(m_chunks.size(), [&](std::size_t c) { partial[c] = f(m_chunks[c].begin, m_chunks[c].end); });
+    std::vector<double> partial(m_counted_chunks);
+    for_each_index<ConcurrencyTag>(m_counted_chunks, [&](std::size_t c) { partial[c] = f(m_chunks[c].begin, m_chunks[c].end); });
     double s = 0;
     for(double p : partial)
       s += p;
@@ -140,8 +144,8 @@ public:
   template <typename ConcurrencyTag, typename F>
   double minimum(F&& f) const
   {
-    std::vector<double> partial(m_chunks.size());
-    for_each_index<ConcurrencyTag>(m_chunks.size(), [&](std::size_t c) {
+    std::vector<double> partial(m_counted_chunks);
+    for_each_index<ConcurrencyTag>(m_counted_chunks, [&](std::size_t c) {
       double m = std::numeric_limits<double>::infinity();
       for(std::int64_t e = m_chunks[c].begin; e < m_chunks[c].end; ++e) {
         const double value = f(e);
@@ -174,7 +178,14 @@ public:
 private:
   static constexpr std::int64_t CHUNK_SIZE = 512;
 
+  void split(std::int64_t begin, std::int64_t end)
+  {
+    for(; begin < end; begin += CHUNK_SIZE)
+      m_chunks.push_back({begin, begin + CHUNK_SIZE < end ? begin + CHUNK_SIZE : end});
+  }
+
   std::vector<Chunk> m_chunks;
+  std::size_t m_counted_chunks = 0;
   std::vector<std::vector<std::size_t>> m_colors;
 };
 

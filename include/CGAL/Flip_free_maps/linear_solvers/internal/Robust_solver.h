@@ -118,6 +118,9 @@ private:
 
   bool analyze_fallback(const Block_sparse_matrix& matrix)
   {
+    // A solver of the whole matrix is none of its parts.
+    if constexpr(Has_part_of_matrix<LinearSolver>::value)
+      return false;
     if(m_fallback == nullptr) {
       m_fallback = std::make_unique<Eigen_simplicial_solver>();
       if(!m_fallback->analyze_pattern(matrix))

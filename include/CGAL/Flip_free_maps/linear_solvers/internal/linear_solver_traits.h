@@ -52,6 +52,15 @@ Solver make_solver(double memory_budget)
     return Solver();
 }
 
+// Whether a solver has a part of the matrix only, the rows of the unknowns that this process owns.
+template <typename Solver, typename = void>
+struct Has_part_of_matrix : std::false_type
+{};
+
+template <typename Solver>
+struct Has_part_of_matrix<Solver, std::enable_if_t<Solver::has_part_of_matrix>> : std::true_type
+{};
+
 template <typename Solver, typename = void>
 struct Takes_positions : std::false_type
 {};

@@ -38,7 +38,7 @@ public:
   bool has_ended(Run& run, bool factorizes) const
   {
     const double seconds = wall_seconds() - run.time_begin;
-    if(run.options.observer && !run.options.observer(report(run, seconds)))
+    if(is_stopped(run, seconds))
       return !run.finish(Status::stopped_by_observer, "the observer asked to stop");
     if(run.is_rest_reference) {
       const char* rule = rule_that_holds(run, factorizes);
@@ -47,7 +47,8 @@ public:
     }
     if(run.iterations() >= run.options.max_iterations)
       return !run.finish(Status::iteration_limit, "the limit of iterations is reached");
-    const Status late = deadline_status();
+    // Clocks differ: what one process sees counts for all.
+    const Status late = static_cast<Status>(m_steps.world().maximum(static_cast<int>(deadline_status())));
     return late != Status::success && !run.finish(late, Interruption(late).what());
   }
 
@@ -59,6 +60,15 @@ public:
   }
 
 private:
+  // Whether the observer, or that of another process, wants no more.
+  bool is_stopped(const Run& run, double seconds) const
+  {
+    if(!m_steps.world().any(bool(run.options.observer)))
+      return false;
+    const Iteration_report now = report(run, seconds);
+    return m_steps.world().any(run.options.observer && !run.options.observer(now));
+  }
+
   // The stopping rule that is met, null if none is.
   const char* rule_that_holds(Run& run, bool factorizes) const
   {
@@ -104,7 +114,7 @@ private:
     if(!m_factorization.exists() || !(progress.predicted_decrease * drop * drop <= tolerance) ||
        !m_factorization.solve_as_made(run.gradient, run.direction))
       return false;
-    return 0.5 * run.gradient.dot(run.direction) <= tolerance * std::abs(progress.energy);
+    return 0.5 * m_steps.world().dot(run.gradient, run.direction) <= tolerance * std::abs(progress.energy);
   }
 
   Iteration_report report(const Run& run, double seconds) const

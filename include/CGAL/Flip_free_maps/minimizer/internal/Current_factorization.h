@@ -54,7 +54,7 @@ public:
       m_objective.build_pattern();
     }
     const auto reporting = m_solver.report_to(summary);
-    m_is_analyzed = m_objective.number_of_unknowns() == 0 || m_solver.analyze_pattern(m_objective.matrix());
+    m_is_analyzed = !m_objective.has_unknowns() || m_solver.analyze_pattern(m_objective.matrix());
     return m_is_analyzed;
   }
 
@@ -134,7 +134,7 @@ public:
         matrix.diagonal(i) += run.options.tikhonov;
     // Translations are in the null space of every preconditioner. Stiffness on one vertex removes them without changing the
     // solution, since the gradient is orthogonal to them.
-    if(m_objective.is_rigid_motion_invariant())
+    if(m_objective.is_rigid_motion_invariant() && m_objective.world().owns_first_unknown())
       for(int i = 0; i < D; ++i)
         matrix.diagonal(i) *= 2;
   }

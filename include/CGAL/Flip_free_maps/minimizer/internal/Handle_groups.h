@@ -17,7 +17,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -52,6 +54,14 @@ public:
   // The displacement of the handles from `x` to their targets (`is_last`) or, if a group is to turn by much, to places on the
   // way. `false` if a target is not finite.
   bool next_displacement(const Positions<D>& x, const Positions<D>& targets, Positions<D>& displacement, bool& is_last) const;
+
+  // Joins the groups of which several processes have a part, in an order that all have. Every process knows all handles.
+  template <typename World>
+  void join(const World& world);
+
+  // Puts the handles where those that own them have them.
+  template <typename World>
+  void share(const World& world, Positions<D>& x) const;
 
 private:
   // A rotation around the group's centre, and the translation of the centre.
@@ -204,6 +214,58 @@ bool Handle_groups<D>::next_displacement(const Positions<D>& x, const Positions<
       displacement.col(v) =
         is_last ? Vector<D>(targets.col(v) - x.col(v)) : Vector<D>(motions[g].place(x.col(v), targets.col(v), fraction) - x.col(v));
   return true;
+}
+
+template <int D>
+template <typename World>
+void Handle_groups<D>::join(const World& world)
+{
+  std::map<std::int64_t, std::int32_t> local;
+  std::vector<std::int64_t> links; // pairs
+  for(const auto& group : m_groups)
+    for(std::int32_t v : group) {
+      local[world.global_numbers()[v]] = v;
+      links.push_back(world.global_numbers()[group.front()]);
+      links.push_back(world.global_numbers()[v]);
+    }
+  std::vector<std::int32_t> handles;
+  std::map<std::int64_t, std::int32_t> place;
+  for(const auto& [number, v] : local) {
+    place[number] = static_cast<std::int32_t>(handles.size());
+    handles.push_back(v);
+  }
+  Disjoint_sets sets(static_cast<std::int32_t>(handles.size()));
+  links = world.gather(links);
+  for(std::size_t i = 0; i < links.size(); i += 2)
+    if(links[i] != links[i + 1])
+      sets.unite(place[links[i]], place[links[i + 1]]);
+  std::map<std::int32_t, std::size_t> group_of;
+  m_groups.clear();
+  for(std::size_t i = 0; i < handles.size(); ++i) {
+    const auto found = group_of.emplace(sets.root(static_cast<std::int32_t>(i)), m_groups.size());
+    if(found.second)
+      m_groups.emplace_back();
+    m_groups[found.first->second].push_back(handles[i]);
+  }
+}
+
+template <int D>
+template <typename World>
+void Handle_groups<D>::share(const World& world, Positions<D>& x) const
+{
+  std::map<std::int64_t, std::int32_t> local;
+  std::vector<std::pair<std::int64_t, std::array<double, D>>> owned;
+  for(std::int32_t v : all()) {
+    local[world.global_numbers()[v]] = v;
+    if(v >= world.owned_vertices(static_cast<std::int32_t>(x.cols())))
+      continue;
+    owned.emplace_back(world.global_numbers()[v], std::array<double, D>());
+    for(int i = 0; i < D; ++i)
+      owned.back().second[i] = x(i, v);
+  }
+  for(const auto& [number, place] : world.gather(owned))
+    for(int i = 0; i < D; ++i)
+      x(i, local[number]) = place[i];
 }
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE

@@ -36,6 +36,7 @@ template <int D, typename Traits>
 class Handle_path
 {
   using Run = Minimizer_run<D>;
+  using World = typename World_of<Traits>::type;
 
 public:
   // Keeps references to all.
@@ -46,7 +47,10 @@ public:
       m_factorization(factorization),
       m_steps(steps),
       m_groups(domain, [&objective](std::int32_t v) { return objective.is_fixed(v); })
-  {}
+  {
+    if constexpr(!World::is_sequential)
+      m_groups.join(objective.world());
+  }
 
   // Goes the whole way. `optimize(run)` iterates until run.options end it. Where the way is blocked, or a limit ends the run on it,
   // the run is finished, and the result `false`.
@@ -91,7 +95,14 @@ private:
   // Moves the whole shape with handles that move as a rigid body, unless a part of it is to stay in its place.
   void carry(Run& run, const Positions<D>& targets)
   {
-    if(m_objective.has_sliding_vertices() || !m_groups.carry(run.x, targets, run.trial) || !m_steps.is_certified(run, run.trial))
+    if(m_objective.has_sliding_vertices() || !m_groups.carry(run.x, targets, run.trial))
+      return;
+    // What several processes compute may differ in the last bit.
+    if constexpr(!World::is_sequential) {
+      m_objective.world().update_ghosts(run.trial);
+      m_groups.share(m_objective.world(), run.trial);
+    }
+    if(!m_steps.is_certified(run, run.trial))
       return;
     run.x.swap(run.trial);
     run.measure(m_objective, m_traits.reference);
@@ -101,7 +112,7 @@ private:
   // The displacement of all vertices that minimises the quadratic model when the fixed vertices are displaced by `handles`.
   bool find_displacement(Run& run, const Positions<D>& handles, bool reuses)
   {
-    if(m_objective.number_of_unknowns() == 0) {
+    if(!m_objective.has_unknowns()) {
       run.displacement = handles;
       return true;
     }

@@ -24,6 +24,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/minimizer/internal/Vertex_relaxation.h>
 #include <CGAL/Flip_free_maps/preconditioners/Iteration_state.h>
+#include <CGAL/Flip_free_maps/worlds/internal/world_traits.h>
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,8 @@ namespace Flip_free_maps {
 namespace internal {
 
 // The mean energy of a map and the terms beside it, with their gradient and the preconditioner's matrix: the one place where
-// elements are visited. Vectors of unknowns hold the coordinates of the vertices that are not fixed, in their order.
+// elements are visited. Vectors of unknowns hold the coordinates of the vertices that are not fixed, in their order; of those that
+// several processes know they hold what this one owns.
 template <int D, typename Traits>
 class Map_objective
 {
@@ -49,6 +51,7 @@ class Map_objective
   using Preconditioner = typename Traits::Preconditioner;
   using Tag = typename Traits::Concurrency_tag;
   using Element = typename Simplicial_domain<D>::Element;
+  using World = typename World_of<Traits>::type;
 
   static constexpr int PAIRS = D * (D + 1) / 2; // of distinct vertices of an element
   static constexpr bool USES_LANES = D == 2 && Has_lanes<Energy>::value;
@@ -57,17 +60,27 @@ public:
   // The blocks of a matrix for the pairs a <= b of an element's vertices.
   using Element_blocks = std::array<std::array<Matrix<D>, D + 1>, D + 1>;
 
-  Map_objective(const Simplicial_domain<D>& domain, const Energy& energy, const Preconditioner& preconditioner)
-    : m_domain(domain), m_energy(energy), m_preconditioner(preconditioner)
+  Map_objective(const Simplicial_domain<D>& domain, const Energy& energy, const Preconditioner& preconditioner,
+                const World& world = World())
+    : m_domain(domain), m_energy(energy), m_preconditioner(preconditioner), m_world(world)
   {
-    m_schedule.build(domain.elements, domain.number_of_vertices);
+    m_schedule.build(domain.elements, domain.number_of_vertices, world.counted_elements(domain.number_of_elements()));
     fix({});
   }
 
+  const World& world() const { return m_world; }
+
   const Element_coloring& schedule() const { return m_schedule; }
 
+  // Those of all parts of the mesh, each counted once.
+  double number_of_elements() const { return m_world.sum(static_cast<double>(m_world.counted_elements(m_domain.number_of_elements()))); }
+
   // Chooses the vertices that are no unknowns.
-  void fix(const std::vector<std::int32_t>& vertices) { m_unknowns.assign(m_domain.number_of_vertices, vertices); }
+  void fix(const std::vector<std::int32_t>& vertices)
+  {
+    m_unknowns.assign(m_domain.number_of_vertices, vertices);
+    m_world.number_unknowns(m_unknowns.numbers());
+  }
 
   // Chooses the directions in which unknowns move: across them there are neither forces nor steps.
   void slide(const std::vector<Sliding_vertex<D>>& vertices)
@@ -84,6 +97,9 @@ public:
   // Vertices that are not fixed.
   std::int32_t number_of_unknowns() const { return m_unknowns.size(); }
 
+  // Whether there is a vertex that is not fixed.
+  bool has_unknowns() const { return m_world.any(m_unknowns.size() > 0); }
+
   bool is_fixed(std::int32_t v) const { return m_unknowns.is_fixed(v); }
 
   bool slides(std::int32_t v) const { return !m_projection_of.empty() && m_projection_of[v] >= 0; }
@@ -96,6 +112,8 @@ public:
     if(term != nullptr)
       m_terms.push_back(std::move(term));
   }
+
+  bool has_terms() const { return !m_terms.empty(); }
 
   // Whether the whole map can move as a rigid body without any change of the objective.
   bool is_rigid_motion_invariant() const
@@ -143,11 +161,13 @@ public:
     for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v)
       if(!is_fixed(v))
         unknowns.template segment<D>(D * std::int64_t(m_unknowns[v])) = x.col(v);
+    m_world.keep_owned(unknowns);
   }
 
   // A displacement of all vertices from one of the unknowns.
-  void spread(const Eigen::VectorXd& unknowns, Positions<D>& displacement) const
+  void spread(const Eigen::VectorXd& owned, Positions<D>& displacement) const
   {
+    const Eigen::VectorXd& unknowns = m_world.with_ghosts(owned);
     displacement.resize(D, m_domain.number_of_vertices);
     for(std::int32_t v = 0; v < m_domain.number_of_vertices; ++v) {
       if(is_fixed(v))
@@ -169,7 +189,7 @@ public:
   template <typename AnyReference>
   double mean_energy(const AnyReference& reference, const Positions<D>& x) const
   {
-    return m_schedule.template sum_of_chunks<Tag>([&](std::int64_t begin, std::int64_t end) {
+    return m_world.sum(m_schedule.template sum_of_chunks<Tag>([&](std::int64_t begin, std::int64_t end) {
       double sum = 0;
       if constexpr(USES_LANES)
         for(; begin + NUMBER_OF_LANES <= end; begin += NUMBER_OF_LANES)
@@ -177,7 +197,7 @@ public:
       for(; begin < end; ++begin)
         sum += energy_of_element(reference, begin, x);
       return sum;
-    });
+    }));
   }
 
   double energy_of_terms(const Positions<D>& x) const
@@ -191,11 +211,11 @@ public:
   // The fraction of elements whose symmetric Dirichlet energy exceeds a bound; an element that is not positive does.
   double distorted_fraction(const Positions<D>& x, double bound) const
   {
-    const double number = m_schedule.template sum<Tag>([&](std::int64_t e) {
+    const double number = m_world.sum(m_schedule.template sum<Tag>([&](std::int64_t e) {
       const Vector<D> s = signed_singular_values(m_domain.jacobian(e, x));
       return s[D - 1] > 0 && Symmetric_dirichlet().value<D>(s) <= bound ? 0. : 1.;
-    });
-    return number / (std::max)(std::int64_t(1), m_domain.number_of_elements());
+    }));
+    return number / (std::max)(1., number_of_elements());
   }
 
   // Gradient in the unknowns and, when asked, the matrix.
@@ -216,6 +236,7 @@ public:
     if(!m_terms.empty())
       add_derivatives_of_terms(x, with_matrix, gradient);
     project(gradient);
+    m_world.keep_owned(gradient);
   }
 
   static constexpr const char* FOREIGN_BLOCK = "the matrix of a term has a block of two vertices that share none of its stencils";
@@ -237,6 +258,7 @@ public:
                  product);
     });
     project(product);
+    m_world.keep_owned(product);
   }
 
   // The elements that were deformed or turned most between two maps, by more than `bound`, at most `number` of them and in
@@ -276,8 +298,8 @@ public:
   // The step at which the first element collapses.
   double largest_step(const Positions<D>& x, const Positions<D>& direction) const
   {
-    return m_schedule.template minimum<Tag>(
-      [&](std::int64_t e) { return largest_flip_free_step(m_domain.image_edges(e, x), m_domain.image_edges(e, direction)); });
+    return m_world.minimum(m_schedule.template minimum<Tag>(
+      [&](std::int64_t e) { return largest_flip_free_step(m_domain.image_edges(e, x), m_domain.image_edges(e, direction)); }));
   }
 
   // Moves the vertices of the elements that would collapse within `bound` along the direction, each to the optimum of the
@@ -327,7 +349,8 @@ public:
   // Smallest and largest signed singular value over all elements.
   std::pair<double, double> singular_value_range(const Positions<D>& x) const
   {
-    return internal::singular_value_range<Tag>(m_domain, m_schedule, x);
+    const auto [low, high] = internal::singular_value_range<Tag>(m_domain, m_schedule, x);
+    return {m_world.minimum(low), -m_world.minimum(-high)};
   }
 
 private:
@@ -517,6 +540,7 @@ private:
   const Simplicial_domain<D>& m_domain;
   const Energy& m_energy;
   const Preconditioner& m_preconditioner;
+  World m_world;
   Element_coloring m_schedule;
   Unknowns m_unknowns;
   std::vector<std::int32_t> m_projection_of; // of each vertex, if it slides; empty if none does

@@ -78,7 +78,7 @@ struct Minimizer_run
       const Phase_timer timer(summary.seconds.assemble);
       objective.derivatives(reference, x, with_matrix, gradient);
     }
-    progress.gradient_norm = gradient.norm();
+    progress.gradient_norm = objective.world().norm(gradient);
     progress.characteristic_gradient_norm = progress.gradient_norm / characteristic_gradient;
     summary.energy = progress.rest_energy;
     summary.gradient_norm = progress.gradient_norm;

@@ -40,11 +40,17 @@ public:
     : m_domain(domain), m_traits(traits), m_objective(objective)
   {}
 
+  const typename World_of<Traits>::type& world() const { return m_objective.world(); }
+
   bool allows_flips() const { return m_traits.options.allow_flips && !has_barrier(); }
 
   bool has_barrier() const { return internal::has_barrier(m_traits.energy); }
 
-  std::int64_t flips(const Positions<D>& x) const { return count_flips<Kernel, Tag>(m_domain, m_objective.schedule(), x); }
+  std::int64_t flips(const Positions<D>& x) const
+  {
+    const std::int64_t own = count_flips<Kernel, Tag>(m_domain, m_objective.schedule(), x);
+    return static_cast<std::int64_t>(m_objective.world().sum(static_cast<double>(own)));
+  }
 
   // The step along the displacement at which the first element collapses.
   double largest_step(const Run& run) const

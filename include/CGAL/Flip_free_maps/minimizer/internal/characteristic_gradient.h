@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 #include <CGAL/Flip_free_maps/elements/internal/eigenmodes.h>
+#include <CGAL/Flip_free_maps/worlds/Sequential_world.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -40,8 +41,8 @@ inline double opposite_measure(const Matrix<3>& edges, int k)
 // at the identity times the norm of the vector of the rest links' measures. They take the largest eigenvalue of the Hessian for the
 // stiffness. Here it is the least one beside those that vanish, as rotations' do: by the largest, a material that hardly changes
 // its volume would count as solved long before it has found its shape.
-template <int D, typename Energy>
-double characteristic_gradient(const Simplicial_domain<D>& domain, const Energy& energy)
+template <int D, typename Energy, typename World = Sequential_world>
+double characteristic_gradient(const Simplicial_domain<D>& domain, const Energy& energy, const World& world = World())
 {
   Element_state<D> state;
   state.s.setOnes();
@@ -70,7 +71,9 @@ double characteristic_gradient(const Simplicial_domain<D>& domain, const Energy&
     for(int k = 0; k <= D; ++k)
       links[domain.elements[e][k]] += opposite_measure(edges, k);
   }
-  return stiffness * links.norm();
+  if constexpr(!World::is_sequential)
+    links.conservativeResize(world.owned_vertices(domain.number_of_vertices));
+  return stiffness * world.norm(links);
 }
 
 } // namespace internal
