@@ -75,7 +75,7 @@ def sizes(path):
     table, comments = read(path)
     rows = [[thousands(row["faces"]), digits(row["cpu_seconds"]), digits(row["factorization_cpu_seconds"]), row["factorizations"],
              row["iterations"], digits(float(row["factor_entries"]) / 1e6) + " million", thousands(float(row["peak_memory_mb"])) + " MB"]
-            for row in table if row["rule"] == "default" and row["threads"] == "1"]
+            for row in table if row["mesh"].startswith("ladder") and row["rule"] == "default" and row["threads"] == "1"]
     write("sizes", ["Triangles", "CPU seconds", "of these one factorization", "factorizations", "iterations", "entries of the factor",
                     "peak memory"], rows, ["Measured with:"] + ["; ".join(comments[:2]) + f"; {datetime.date.today()}."])
 
