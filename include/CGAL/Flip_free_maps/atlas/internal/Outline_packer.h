@@ -64,6 +64,9 @@ private:
   // Trials of the search at the same time, whatever the number of threads.
   static constexpr std::size_t TRIALS = 4;
 
+  // Between two orientations.
+  static constexpr int TURNS = 64;
+
   // A chart in one orientation.
   struct Turned_figure
   {

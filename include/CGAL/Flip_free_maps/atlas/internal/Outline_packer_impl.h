@@ -97,7 +97,9 @@ CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::search(double low, const std::
   std::vector<Attempt> attempts(TRIALS);
   for(Attempt& attempt : attempts)
     attempt.failed = m_attempt.failed;
-  for(std::int64_t work = 0; work < m_most_work && !must_stop();) {
+  // One chart has nothing but its turn.
+  int turns = 0;
+  for(std::int64_t work = 0; work < m_most_work && (n > 1 || (m_turns_freely && turns < TURNS)) && !must_stop();) {
     for(Attempt& attempt : attempts) {
       Plan& plan = attempt.plan;
       plan.order = m_best.order;
@@ -110,8 +112,10 @@ CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::search(double low, const std::
         std::swap(plan.order[a], plan.order[b]);
       }
       plan.first_orientation = static_cast<int>(random() % m_orientations);
-      if(m_turns_freely && (n == 1 || random() % 4 == 0))
-        plan.turn = static_cast<double>(random() % 64) / 64;
+      if(n == 1)
+        plan.turn = static_cast<double>(turns++) / TURNS;
+      else if(m_turns_freely && random() % 4 == 0)
+        plan.turn = static_cast<double>(random() % TURNS) / TURNS;
     }
     // Each goes as far as it gets from the same scale, and the farthest counts.
     std::vector<double> scales(TRIALS, 0.);
