@@ -15,6 +15,7 @@
 #include "support/generated_domains.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/deform_volume.h>
 #include <CGAL/Flip_free_maps/deform_volume_over_mpi.h>
