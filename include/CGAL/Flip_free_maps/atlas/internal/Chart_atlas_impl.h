@@ -242,8 +242,11 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_atlas::join_crumbs()
       for(const std::size_t c : {join.neighbor, join.crumb})
         piece.faces.insert(piece.faces.end(), m_charts[c].faces.begin(), m_charts[c].faces.end());
       std::sort(piece.faces.begin(), piece.faces.end());
-      for(const std::int32_t f : piece.faces)
+      // Maps of two charts are none of their union.
+      for(const std::int32_t f : piece.faces) {
         join.images.push_back(m_image[f]);
+        m_image[f].setConstant(std::numeric_limits<double>::quiet_NaN());
+      }
       unions.push_back(std::move(piece));
     }
     for(auto join = joins.begin(); !unions.empty();)
