@@ -73,6 +73,10 @@ while IFS=$'\t' read -r file text replacement test; do
   [[ -n "$file" && "$file" != \#* ]] || continue
   grep -qE -- "$pattern" <<< "$file $text $test" || continue
   number=$((number + 1))
+  if [[ -z "$test" ]]; then
+    echo "A FIELD IS EMPTY: $file: $text"
+    continue
+  fi
   name="$file: '$text' -> '$replacement' ($test)"
   # What fails without a mutation proves nothing.
   if [[ -z "${passes[$test]:-}" ]]; then
