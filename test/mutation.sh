@@ -16,7 +16,8 @@ jobs="${JOBS:-$(nproc)}"
 
 rm -rf -- "$work/source"
 mkdir -p -- "$work/source"
-tar -C "$root" --exclude=./build --exclude=./.git -cf - . | tar -C "$work/source" -xf -
+# All is newer than what an earlier run compiled, perhaps of a mutation.
+tar -C "$root" --exclude=./build --exclude=./.git -cf - . | tar -C "$work/source" -xmf -
 cmake -G Ninja -S "$work/source" -B "$work/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DFLIP_FREE_MAPS_BUILD_TESTS=ON \
       -DFLIP_FREE_MAPS_UNITY_BUILD=OFF -DFLIP_FREE_MAPS_DATA_DIR="$root/../shared/data" > /dev/null
 
@@ -87,14 +88,14 @@ while IFS=$'\t' read -r file text replacement test; do
   fi
   if [[ "${passes[$test]}" == no ]]; then
     echo "FAILS AS IT IS: $test"
-  elif ! replace "$work/source/$file" "$text" "$replacement"; then
+  elif ! cp -p -- "$work/source/$file" "$work/original" || ! replace "$work/source/$file" "$text" "$replacement"; then
     echo "NOT FOUND ONCE: $name"
   elif build_file "$(target "$test")" "$test" && ! run "$test"; then
     caught=$((caught + 1))
     echo "caught: $name"
     # Nothing else was compiled with the mutation, so the file's time need not change.
     rm -f -- "$work/build/$(object_of "$(target "$test")" "$test")"
-    cp -p -- "$root/$file" "$work/source/$file"
+    cp -p -- "$work/original" "$work/source/$file"
     continue
   elif ! build "$(target "$test")"; then
     echo "DOES NOT COMPILE: $name"
