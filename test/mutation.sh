@@ -70,6 +70,7 @@ replace()
 number=0
 caught=0
 declare -A passes
+is_stale=no # whether there may be objects that were compiled of a mutation
 while IFS=$'\t' read -r file text replacement test; do
   [[ -n "$file" && "$file" != \#* ]] || continue
   grep -qE -- "$pattern" <<< "$file $text $test" || continue
@@ -79,6 +80,10 @@ while IFS=$'\t' read -r file text replacement test; do
     continue
   fi
   name="$file: '$text' -> '$replacement' ($test)"
+  if [[ "$is_stale" == yes ]]; then
+    build "$(target "$test")" || true
+    is_stale=no
+  fi
   # What fails without a mutation proves nothing.
   if [[ -z "${passes[$test]:-}" ]]; then
     passes[$test]=no
@@ -88,8 +93,10 @@ while IFS=$'\t' read -r file text replacement test; do
   fi
   if [[ "${passes[$test]}" == no ]]; then
     echo "FAILS AS IT IS: $test"
+    continue
   elif ! cp -p -- "$work/source/$file" "$work/original" || ! replace "$work/source/$file" "$text" "$replacement"; then
     echo "NOT FOUND ONCE: $name"
+    continue
   elif build_file "$(target "$test")" "$test" && ! run "$test"; then
     caught=$((caught + 1))
     echo "caught: $name"
@@ -97,7 +104,7 @@ while IFS=$'\t' read -r file text replacement test; do
     rm -f -- "$work/build/$(object_of "$(target "$test")" "$test")"
     cp -p -- "$work/original" "$work/source/$file"
     continue
-  elif ! build "$(target "$test")"; then
+  elif is_stale=yes && ! build "$(target "$test")"; then
     echo "DOES NOT COMPILE: $name"
   elif run "$test"; then
     echo "SURVIVES: $name"
@@ -105,7 +112,7 @@ while IFS=$'\t' read -r file text replacement test; do
     caught=$((caught + 1))
     echo "caught: $name"
   fi
-  cp -- "$root/$file" "$work/source/$file"
+  cp -- "$work/original" "$work/source/$file"
 done < "$root/test/mutations.tsv"
 
 echo "$caught of $number mutations caught"
