@@ -56,15 +56,41 @@ std::vector<Number_row> read_number_rows(const std::string& path, std::size_t pe
   return rows;
 }
 
-std::size_t vertex_of(const Number_row& row, std::size_t k, std::size_t number_of_vertices)
+namespace {
+
+std::size_t number_of(const char* kind, const char* kinds, const Number_row& row, std::size_t k, std::size_t size)
 {
   const double number = row.numbers[k];
   std::string text;
   FFM::internal::append_number(text, number);
-  check(number >= 0 && number < static_cast<double>(number_of_vertices) && number == std::floor(number),
-        row.where + " names the vertex " + text + ", which does not exist: the mesh has " + std::to_string(number_of_vertices) +
-          " vertices, numbered from 0");
+  check(number >= 0 && number < static_cast<double>(size) && number == std::floor(number),
+        row.where + " names the " + kind + " " + text + ", which does not exist: the mesh has " + std::to_string(size) + " " + kinds +
+          ", numbered from 0");
   return static_cast<std::size_t>(number);
+}
+
+} // namespace
+
+std::size_t vertex_of(const Number_row& row, std::size_t k, std::size_t number_of_vertices)
+{
+  return number_of("vertex", "vertices", row, k, number_of_vertices);
+}
+
+std::vector<char> read_pinned_faces(const std::string& path, const Surface& surface, const Atlas& atlas)
+{
+  std::vector<char> is_pinned(surface.polygons.size(), 0);
+  if(path.empty())
+    return is_pinned;
+  for(const Number_row& row : read_number_rows(path, 1)) {
+    const std::size_t face = number_of("face", "faces", row, 0, is_pinned.size());
+    check(!surface.images[face].empty(), row.where + " names the face " + std::to_string(face) + ", which has no texture coordinates");
+    is_pinned[face] = 1;
+  }
+  for(const std::vector<std::size_t>& island : islands(atlas))
+    if(std::any_of(island.begin(), island.end(), [&](std::size_t triangle) { return is_pinned[atlas.polygons[triangle]]; }))
+      for(const std::size_t triangle : island)
+        is_pinned[atlas.polygons[triangle]] = 1;
+  return is_pinned;
 }
 
 Vertex_pairs read_seams(const std::string& path, const Surface& surface)

@@ -11,6 +11,7 @@
 #ifndef FLIP_FREE_MAPS_PROGRAM_NUMBER_FILES_H
 #define FLIP_FREE_MAPS_PROGRAM_NUMBER_FILES_H
 
+#include "Atlas.h"
 #include "files.h"
 
 #include <cstddef>
@@ -31,6 +32,9 @@ std::vector<Number_row> read_number_rows(const std::string& path, std::size_t pe
 
 // The vertex that the number `k` of a row names.
 std::size_t vertex_of(const Number_row& row, std::size_t k, std::size_t number_of_vertices);
+
+// Reads the numbers of faces; all faces of their islands are pinned.
+std::vector<char> read_pinned_faces(const std::string& path, const Surface& surface, const Atlas& atlas);
 
 using Vertex_pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 

@@ -73,11 +73,19 @@ template <typename Point>
 FFM::Unwrap_summary unwrap(const Unwrap_request& request, const FFM::Unwrap_options& options, const std::vector<Kernel::Point_3>& points,
                            const std::vector<std::vector<std::size_t>>& polygons, const Vertex_pairs& seams, Corner_images& images)
 {
-  std::vector<std::vector<Point>> result;
-  const FFM::Unwrap_summary summary =
-    FFM::unwrap(points, polygons, result,
-                FFM::parameters::unwrap_options(
-                  options, FFM::parameters::map_traits(request.traits, CGAL::parameters::edge_is_constrained_map(Edge_set(seams)))));
+  std::vector<std::vector<Point>> result(polygons.size());
+  std::vector<char> is_pinned = request.is_pinned;
+  is_pinned.resize(polygons.size(), 0);
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+    if(is_pinned[i])
+      for(const Image& image : images[i])
+        result[i].push_back(FFM::internal::make_point_2<Point>(image[0], image[1]));
+  const auto pinned = boost::make_iterator_property_map(is_pinned.begin(), boost::typed_identity_property_map<std::size_t>());
+  const FFM::Unwrap_summary summary = FFM::unwrap(
+    points, polygons, result,
+    FFM::parameters::unwrap_options(
+      options, FFM::parameters::map_traits(
+                 request.traits, FFM::parameters::face_is_pinned_map(pinned, CGAL::parameters::edge_is_constrained_map(Edge_set(seams))))));
   if(!summary.is_valid())
     return summary;
   images.clear();

@@ -25,9 +25,10 @@ struct Unwrap_request
   FFM::Flip_free_map_traits<> traits;
   bool is_single_precision = false; // whether images are certified as floats, and are such
   bool has_atlas_per_object = false;
+  std::vector<char> is_pinned; // by polygon, or none
 };
 
-// If each object gets an atlas of its own, the summary is of all of them: numbers of faces are the surface's, the occupancy is the mean
+// Of polygons that are pinned, images must be given. If each object gets an atlas of its own, the summary is of all of them: numbers of faces are the surface's, the occupancy is the mean
 // and the scale the least one.
 FFM::Unwrap_summary unwrap_surface(const Unwrap_request& request, const Surface& surface, const Vertex_pairs& seams, Corner_images& images);
 

@@ -7,6 +7,7 @@
 
 #include "../commands.h"
 #include "../layout.h"
+#include "../number_files.h"
 #include "../packing_arguments.h"
 #include "../report.h"
 
@@ -31,6 +32,8 @@ public:
     app->add_option("input", m_input, "OBJ, PLY, GLB or glTF with texture coordinates")->required();
     add_surface_output(*app, m_output, "the mesh with its islands in the unit square");
     add_packing_options(*app, m_packing);
+    app->add_option("--pinned", m_pinned,
+                    "file with the number of a face of the input per line, from 0: islands with these stay where they are");
     add_summary_options(*app, m_limits);
     app->add_flag("--quiet", m_limits.quiet, "print nothing but errors");
     add_picture_options(*app, m_pictures);
@@ -42,7 +45,7 @@ public:
     m_files = files_of(m_output, m_pictures, m_limits);
     std::string reason = why_not_written(m_input, m_output);
     if(reason.empty())
-      reason = why_files_collide({{"the input", m_input}}, m_files);
+      reason = why_files_collide({{"the input", m_input}, {"--pinned", m_pinned}}, m_files);
     if(!reason.empty())
       return refuse(reason);
     FFM::Packing_summary summary;
@@ -65,7 +68,9 @@ private:
     FFM::measure_distortion(atlas.mesh, &distortion);
     // Outlines are all that counts, hence flipped triangles are handed over turned round, and those without an area not at all.
     FFM::Textured_mesh packed = atlas.mesh;
+    const std::vector<char> is_pinned_face = read_pinned_faces(m_pinned, surface, atlas);
     std::vector<std::size_t> given;
+    std::vector<char> is_pinned;
     packed.triangles.clear();
     packed.texture_triangles.clear();
     for(std::size_t i = 0; i < atlas.mesh.triangles.size(); ++i) {
@@ -73,6 +78,7 @@ private:
       if(orientation == CGAL::COLLINEAR)
         continue;
       given.push_back(i);
+      is_pinned.push_back(is_pinned_face[atlas.polygons[i]]);
       packed.triangles.push_back(atlas.mesh.triangles[i]);
       packed.texture_triangles.push_back(atlas.mesh.texture_triangles[i]);
       if(orientation == CGAL::RIGHT_TURN) {
@@ -80,7 +86,7 @@ private:
         std::swap(packed.texture_triangles.back()[1], packed.texture_triangles.back()[2]);
       }
     }
-    summary = FFM::pack_charts(packed, m_packing.chosen());
+    summary = FFM::pack_charts(packed, m_packing.chosen(), is_pinned);
     if(!summary.is_valid())
       return;
     std::vector<std::size_t> owner(atlas.mesh.texture.size(), atlas.mesh.texture.size());
@@ -106,7 +112,7 @@ private:
   Packing_arguments m_packing;
   Surface_output m_output;
   std::vector<File_argument> m_files;
-  std::string m_input;
+  std::string m_input, m_pinned;
 };
 
 } // namespace

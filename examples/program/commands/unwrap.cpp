@@ -68,8 +68,15 @@ public:
       ->add_option("--min-occupancy", m_options.min_occupancy,
                    "while less than this part of the square is covered, charts that leave much of it empty are split; 0: never")
       ->capture_default_str();
-    app->add_flag("--atlas-per-object", m_request.has_atlas_per_object,
-                  "give each mesh of a glTF, or object of an OBJ, an atlas of its own; otherwise they share one");
+    CLI::Option* pinned =
+      app
+        ->add_option("--pinned", m_pinned,
+                     "file with the number of a face of the input per line, from 0: its islands of texture coordinates with these stay as "
+                     "they are, and all else is packed around them")
+        ->excludes("--no-pack");
+    CLI::Option* per_object = app->add_flag("--atlas-per-object", m_request.has_atlas_per_object,
+                                            "give each mesh of a glTF, or object of an OBJ, an atlas of its own; otherwise they share one");
+    per_object->excludes(pinned);
     app->add_option("--seams", m_seams,
                     "file with the numbers of two vertices of the input, from 0, per line: the edges between them are cut");
     app->add_flag(
@@ -87,6 +94,7 @@ public:
       "--repair", m_repair,
       "first remove what makes a mesh unfit: duplicated points and faces, faces without area, sheets that meet, different orientations; "
       "the output is a new file of triangles then");
+    repair->excludes(pinned);
     app
       ->add_flag("--strict", m_strict,
                  "refuse what is no manifold mesh of triangles, whose neighbours are oriented alike and which has no face without area")
@@ -101,7 +109,7 @@ public:
     m_files = files_of(m_output, m_pictures, m_limits);
     std::string reason = why_not_written(m_input, m_output);
     if(reason.empty())
-      reason = why_files_collide({{"the input", m_input}, {"--seams", m_seams}}, m_files);
+      reason = why_files_collide({{"the input", m_input}, {"--seams", m_seams}, {"--pinned", m_pinned}}, m_files);
     if(!reason.empty())
       return refuse(reason);
     FFM::Unwrap_summary summary;
@@ -125,7 +133,7 @@ private:
     check_folders(m_files);
     Surface surface;
     surface.uv_set = m_output.uv_set;
-    read_surface(m_input, m_keep_seams, surface);
+    read_surface(m_input, m_keep_seams || !m_pinned.empty(), surface);
     const Vertex_pairs seams = prepare(surface, repairs);
     FFM::Unwrap_options options = m_options;
     options.strict = m_strict;
@@ -152,6 +160,14 @@ private:
     set_limits(m_limits, m_request.traits.options);
     m_request.is_single_precision = surface.is_transposed = is_gltf(m_output.path);
     Corner_images images;
+    if(!m_pinned.empty()) {
+      m_request.is_pinned = read_pinned_faces(m_pinned, surface, make_atlas(surface, surface.images));
+      images = surface.images;
+      if(surface.is_transposed)
+        for(auto& polygon : images)
+          for(Image& image : polygon)
+            image = {1 - image[1], image[0]};
+    }
     summary = unwrap_surface(m_request, surface, seams, images);
     progress.finish();
     explain_failure(surface, m_strict, summary);
@@ -206,7 +222,7 @@ private:
   Unwrap_request m_request;
   Surface_output m_output;
   std::vector<File_argument> m_files;
-  std::string m_input, m_seams, m_branches = "extremities";
+  std::string m_input, m_seams, m_pinned, m_branches = "extremities";
   double m_crease_angle = 0, m_hard_edges = 0;
   bool m_no_pack = false, m_repair = false, m_strict = false, m_keep_seams = false;
 };

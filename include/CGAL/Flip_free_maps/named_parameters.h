@@ -122,6 +122,10 @@ enum Edge_is_feature_map_tag
 {
   edge_is_feature_map_tag
 };
+enum Face_is_pinned_map_tag
+{
+  face_is_pinned_map_tag
+};
 
 } // namespace internal
 
@@ -252,6 +256,15 @@ template <typename EdgeIsFeatureMap, typename Base = CGAL::parameters::Default_n
 auto edge_is_feature_map(const EdgeIsFeatureMap& map, const Base& base = Base())
 {
   return internal::named_parameter<internal::Edge_is_feature_map_tag>(map, base);
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The faces that are pinned, whose images stay where they are:
+/// a model of `ReadablePropertyMap` with face descriptors as keys and `bool` as values.
+template <typename FaceIsPinnedMap, typename Base = CGAL::parameters::Default_named_parameters>
+auto face_is_pinned_map(const FaceIsPinnedMap& map, const Base& base = Base())
+{
+  return internal::named_parameter<internal::Face_is_pinned_map_tag>(map, base);
 }
 
 } // namespace parameters

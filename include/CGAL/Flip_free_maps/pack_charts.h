@@ -30,6 +30,10 @@ namespace internal {
 // Splits triangles into charts, the parts that are connected by vertices.
 std::vector<Flat_chart> separate_charts(const std::vector<std::array<std::int32_t, 3>>& elements, const Positions<2>& x);
 
+// Packs those without a pinned face around the others, which are removed.
+void pack_free_charts(std::vector<Flat_chart>& charts, const std::vector<char>& is_pinned, const Packing_options& options,
+                      const Rounding& rounded, Packing_summary& summary);
+
 } // namespace internal
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -47,21 +51,27 @@ std::vector<Flat_chart> separate_charts(const std::vector<std::array<std::int32_
 ///   charts that do not overlap themselves stay so, by exact predicates, also after rounding.
 /// \param options margin and rotation
 ///
+/// \param np optional named parameters: `packing_options` in place of `options`, and `face_is_pinned_map`. Charts with a pinned face
+///   stay where they are, and need not be free of flips; all others are packed around them, by a factor of their own.
+///
 /// \returns `success`, or `empty_mesh`, `invalid_option` (also when the margin leaves no room for so many charts),
 ///   `non_finite_input`, `start_not_flip_free`, or `result_not_representable` when triangles are too small within the unit square
 ///   for the map's number type
 ///
 /// Complexity: \f$ O(n \log n) \f$ for \f$ n \f$ triangles, and a bounded amount of work beyond what the first packings of the
 /// charts take, some tenths of a second.
-template <typename TriangleMesh, typename HalfedgeUVMap>
-Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Packing_options& options = Packing_options())
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Packing_options& options, const NamedParameters& np)
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   Packing_summary summary;
   internal::Corner_numbers<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> numbers;
   std::vector<std::array<std::int32_t, 3>> elements;
   std::vector<std::array<Halfedge, 3>> corners;
+  std::vector<char> is_pinned;
   for(const auto face : faces(mesh)) {
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Face_is_pinned_map_tag>::value)
+      is_pinned.push_back(static_cast<bool>(get(CGAL::parameters::get_parameter(np, internal::face_is_pinned_map_tag), face)));
     std::array<std::int32_t, 3> element;
     std::array<Halfedge, 3> corner;
     auto h = halfedge(face, mesh);
@@ -79,7 +89,8 @@ Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, cons
     return summary;
   }
   std::vector<internal::Flat_chart> charts = internal::separate_charts(elements, numbers.positions());
-  internal::pack_flat_charts(charts, options, internal::as_rounded_by<typename boost::property_traits<HalfedgeUVMap>::value_type>, summary);
+  internal::pack_free_charts(charts, is_pinned, options,
+                             internal::as_rounded_by<typename boost::property_traits<HalfedgeUVMap>::value_type>, summary);
   if(!summary.is_valid())
     return summary;
   internal::write_charts(charts, uv_map, [&](std::int32_t face, int k) { return corners[face][k]; });
@@ -87,11 +98,19 @@ Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, cons
 }
 
 /// \ingroup PkgFlipFreeMapsRef
-/// The same with named parameters: `packing_options` of `Flip_free_maps::parameters`.
+/// The same with default named parameters.
+template <typename TriangleMesh, typename HalfedgeUVMap>
+Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const Packing_options& options = Packing_options())
+{
+  return pack_charts(mesh, uv_map, options, CGAL::parameters::default_values());
+}
+
+/// \ingroup PkgFlipFreeMapsRef
+/// The same with all options as named parameters: `packing_options` and `face_is_pinned_map` of `Flip_free_maps::parameters`.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename T, typename Tag, typename Base>
 Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
-  return pack_charts(mesh, uv_map, internal::parameter_or(np, internal::packing_options_tag, Packing_options()));
+  return pack_charts(mesh, uv_map, internal::parameter_or(np, internal::packing_options_tag, Packing_options()), np);
 }
 
 /// \ingroup PkgFlipFreeMapsRef
@@ -102,8 +121,10 @@ Packing_summary pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uv_map, cons
 ///   if the packing is valid, and numbered anew: corners with the same point and the same image share them. Otherwise the mesh is left
 ///   untouched.
 /// \param options distances and rotations
+/// \param is_pinned whether each triangle is pinned, or nothing if none is: charts with such a triangle stay where they are
 /// \returns the same, also `invalid_option` for an index out of range
-Packing_summary pack_charts(Textured_mesh& mesh, const Packing_options& options = Packing_options());
+Packing_summary pack_charts(Textured_mesh& mesh, const Packing_options& options = Packing_options(),
+                            const std::vector<char>& is_pinned = std::vector<char>());
 
 } // namespace Flip_free_maps
 } // namespace CGAL

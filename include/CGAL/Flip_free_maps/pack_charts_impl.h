@@ -11,11 +11,13 @@
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/pack_charts.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,11 +67,47 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Flat_chart> separate_charts(const std::ve
   return charts;
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE void pack_free_charts(std::vector<Flat_chart>& charts, const std::vector<char>& is_pinned,
+                                                 const Packing_options& options, const Rounding& rounded, Packing_summary& summary)
+{
+  const std::size_t all = charts.size();
+  Packing_obstacles obstacles;
+  std::vector<Flat_chart> free;
+  for(Flat_chart& chart : charts)
+    if(is_pinned.empty() || std::none_of(chart.faces.begin(), chart.faces.end(), [&](std::int32_t f) { return is_pinned[f]; }))
+      free.push_back(std::move(chart));
+    else if(!chart.x.allFinite()) {
+      summary.status = Status::non_finite_input;
+      summary.message = "the images of face number " + std::to_string(chart.faces[0]) + ", which is pinned, are not all finite";
+      return;
+    } else
+      for(const auto& element : chart.elements)
+        obstacles.add(chart.x(Eigen::all, element));
+  charts.swap(free);
+  if(charts.empty()) {
+    summary.status = options.is_valid(&summary.message) ? Status::success : Status::invalid_option;
+    if(summary.is_valid()) {
+      summary.message = "all charts are pinned";
+      summary.occupancy = obstacles.area();
+    }
+  } else
+    pack_flat_charts(charts, options, obstacles, rounded, summary);
+  summary.charts = static_cast<int>(all);
+  summary.pinned_charts = static_cast<int>(all - charts.size());
+}
+
 } // namespace internal
 
-CGAL_FLIP_FREE_MAPS_INLINE Packing_summary pack_charts(Textured_mesh& mesh, const Packing_options& options)
+CGAL_FLIP_FREE_MAPS_INLINE Packing_summary pack_charts(Textured_mesh& mesh, const Packing_options& options,
+                                                       const std::vector<char>& is_pinned)
 {
   Packing_summary summary;
+  if(!is_pinned.empty() && is_pinned.size() != mesh.triangles.size()) {
+    summary.status = Status::invalid_option;
+    summary.message = "there are " + std::to_string(mesh.triangles.size()) + " triangles, but " + std::to_string(is_pinned.size()) +
+                      " values that say whether they are pinned";
+    return summary;
+  }
   summary.status = Status::empty_mesh;
   summary.message = "the mesh has no faces";
   if(mesh.triangles.empty())
@@ -90,7 +128,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Packing_summary pack_charts(Textured_mesh& mesh, cons
     }
   Positions<2> x = numbers.positions();
   std::vector<internal::Flat_chart> charts = internal::separate_charts(elements, x);
-  internal::pack_flat_charts(charts, options, internal::as_rounded_by<std::array<double, 2>>, summary);
+  internal::pack_free_charts(charts, is_pinned, options, internal::as_rounded_by<std::array<double, 2>>, summary);
   if(!summary.is_valid())
     return summary;
   for(const internal::Flat_chart& chart : charts)

@@ -144,6 +144,28 @@ void put_seams(const Polygon_soup& soup, const std::vector<char>& seams, const S
     put(map, edge, value);
 }
 
+// Reads which faces are pinned, by their numbers, and the images of their corners.
+template <typename IsPinned, typename ImageOf>
+void read_pinned_polygons(const IsPinned& is_pinned, const ImageOf& image_of, Atlas_request& request)
+{
+  const Polygon_soup& soup = request.surface;
+  bool is_any = false;
+  for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p) {
+    request.is_pinned.push_back(is_pinned(p));
+    is_any = is_any || is_pinned(p);
+  }
+  if(!is_any) {
+    request.is_pinned.clear();
+    return;
+  }
+  request.images.resize(soup.number_of_corners());
+  for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
+    for(std::int32_t c = soup.first_corners[p]; request.is_pinned[p] && c < soup.first_corners[p + 1]; ++c) {
+      const auto image = image_of(p, c);
+      request.images[c] = {{CGAL::to_double(image[0]), CGAL::to_double(image[1])}};
+    }
+}
+
 // Whether a container of images can have as many as a polygon has corners, and makes it have them.
 template <typename Images>
 bool resize_images(Images& images, std::size_t size)
@@ -194,7 +216,8 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 /// With `Unwrap_options::strict` all these are refused.
 ///
 /// \tparam FaceGraph must be a model of `FaceListGraph` whose vertex descriptors are `Hashable`
-/// \tparam HalfedgeUVMap must be a model of `WritablePropertyMap` with halfedge descriptors as keys and planar points as values
+/// \tparam HalfedgeUVMap must be a model of `WritablePropertyMap` with halfedge descriptors as keys and planar points as values; with
+///   pinned faces of `ReadWritePropertyMap`
 /// \tparam Traits must be a model of `MapTraits`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
@@ -221,9 +244,15 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 ///     \cgalParamType{a model of `ReadablePropertyMap` with edge descriptors as keys and `bool` as values}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{Flip_free_maps::parameters::face_is_pinned_map}
+///     \cgalParamDescription{faces that keep the images they have in `uv_map`, mirrored or upon each other or not. All others are
+///     flattened by themselves and packed around them. `Unwrap_options::pack` must be set}
+///     \cgalParamType{a model of `ReadablePropertyMap` with face descriptors as keys and `bool` as values}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{Flip_free_maps::parameters::face_chart_map}
 ///     \cgalParamDescription{receives the number of each face's chart, its place in `Unwrap_summary::charts`; -1 for faces with
-///     corners at less than three places}
+///     corners at less than three places, and for pinned ones}
 ///     \cgalParamType{a model of `WritablePropertyMap` with face descriptors as keys and integers as values}
 ///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
@@ -279,6 +308,11 @@ Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const Unwrap_
     if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_feature_map_tag>::value)
       request.features = marked(get_parameter(np, internal::edge_is_feature_map_tag));
     static_cast<void>(marked);
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Face_is_pinned_map_tag>::value) {
+      const auto map = get_parameter(np, internal::face_is_pinned_map_tag);
+      internal::read_pinned_polygons([&](std::int32_t p) { return static_cast<bool>(get(map, all_faces[p])); },
+                                     [&](std::int32_t, std::int32_t c) { return get(uv_map, corners[c]); }, request);
+    }
     request.is_single_precision = std::is_same_v<internal::Coordinate<Point>, float>;
 
     internal::Atlas_result result;
@@ -287,8 +321,10 @@ Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const Unwrap_
     if(!summary.is_valid())
       return;
     using boost::put; // for pointers
-    for(std::size_t c = 0; c < corners.size(); ++c)
-      put(uv_map, corners[c], internal::make_point_2<Point>(result.images[c][0], result.images[c][1]));
+    const internal::Polygon_soup& soup = request.surface;
+    for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
+      for(std::int32_t c = soup.first_corners[p]; !request.keeps(p) && c < soup.first_corners[p + 1]; ++c)
+        put(uv_map, corners[c], internal::make_point_2<Point>(result.images[c][0], result.images[c][1]));
     if constexpr(internal::Has_parameter<NamedParameters, internal::Face_chart_map_tag>::value) {
       const auto chart_map = get_parameter(np, internal::face_chart_map_tag);
       using Number = typename boost::property_traits<std::decay_t<decltype(chart_map)>>::value_type;
@@ -332,10 +368,11 @@ Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const CGAL::N
 ///   polygon uses may have any value.
 /// \param polygons the faces: a container of containers of indices into `points`, of any number of corners, or of triples of them
 /// \param uv_of_corners receives the images of the corners of each polygon, in the order of its indices: a container of
-///   `std::vector<Point_2>`, or of `std::array<Point_2, 3>` for triangles; it is left untouched if the atlas is not valid
+///   `std::vector<Point_2>`, or of `std::array<Point_2, 3>` for triangles; it is left untouched if the atlas is not valid. Pinned
+///   polygons must have their images there before
 /// \param np optional named parameters: `map_traits`, `map_options` and `unwrap_options`; `edge_is_constrained_map`,
 ///   `edge_is_feature_map` and `edge_is_seam_map`, whose keys are pairs `std::pair<std::size_t, std::size_t>` of indices, the smaller
-///   one first; and `face_chart_map`, whose keys are the numbers of polygons. An edge is a seam if faces that meet there, by their
+///   one first; and `face_is_pinned_map` and `face_chart_map`, whose keys are the numbers of polygons. An edge is a seam if faces that meet there, by their
 ///   indices or their places, give different images to it.
 /// \returns as above; also `invalid_option` for an index out of range
 template <typename PointRange, typename PolygonRange, typename CornerRange,
@@ -366,6 +403,23 @@ Unwrap_summary unwrap(const PointRange& points, const PolygonRange& polygons, Co
       request.seams = internal::marked_sides(soup, get_parameter(np, CGAL::internal_np::edge_is_constrained));
     if constexpr(internal::Has_parameter<NamedParameters, internal::Edge_is_feature_map_tag>::value)
       request.features = internal::marked_sides(soup, get_parameter(np, internal::edge_is_feature_map_tag));
+    if constexpr(internal::Has_parameter<NamedParameters, internal::Face_is_pinned_map_tag>::value) {
+      const auto map = get_parameter(np, internal::face_is_pinned_map_tag);
+      const auto is_pinned = [&](std::int32_t p) { return static_cast<bool>(get(map, static_cast<std::size_t>(p))); };
+      for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p) {
+        const std::size_t number = static_cast<std::size_t>(p);
+        if(!is_pinned(p))
+          continue;
+        if(number >= uv_of_corners.size() || internal::number_of_corners(uv_of_corners[number]) != corners[p].size()) {
+          summary.status = Status::invalid_option;
+          summary.message = "face number " + std::to_string(p) + " is pinned, but not all of its corners have images";
+          return;
+        }
+        corners[p] = uv_of_corners[number];
+      }
+      internal::read_pinned_polygons(
+        is_pinned, [&](std::int32_t p, std::int32_t c) { return corners[p][c - soup.first_corners[p]]; }, request);
+    }
     request.is_single_precision = std::is_same_v<internal::Coordinate<Point>, float>;
     internal::Atlas_result result;
     auto method = internal::chosen_traits<internal::Default_method>(np);
@@ -373,7 +427,7 @@ Unwrap_summary unwrap(const PointRange& points, const PolygonRange& polygons, Co
     if(!summary.is_valid())
       return;
     for(std::int32_t p = 0; p < soup.number_of_polygons(); ++p)
-      for(std::int32_t k = 0; k < soup.size(p); ++k) {
+      for(std::int32_t k = 0; !request.keeps(p) && k < soup.size(p); ++k) {
         const auto& image = result.images[soup.first_corners[p] + k];
         corners[p][k] = internal::make_point_2<Point>(image[0], image[1]);
       }

@@ -50,7 +50,8 @@ struct Packing_options
 struct Packing_summary : Outcome
 {
   int charts = 0;        ///< number of charts
-  double scale = -1;     ///< the factor from the lengths of the charts to those in the unit square
+  int pinned_charts = 0; ///< how many of them stayed where they were
+  double scale = -1;     ///< the factor from the lengths of the charts that were moved to those in the unit square
   double occupancy = -1; ///< the part of the unit square that is covered
 
   /// Calls `visit(name, value)` for each field.
@@ -59,6 +60,7 @@ struct Packing_summary : Outcome
   {
     Outcome::for_each_field(visit);
     visit("charts", charts);
+    visit("pinned_charts", pinned_charts, pinned_charts > 0 ? Field_role::shown : Field_role::detail);
     visit("scale", scale);
     visit("occupancy", occupancy);
   }

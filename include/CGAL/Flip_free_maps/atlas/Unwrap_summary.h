@@ -78,6 +78,7 @@ struct Unwrap_summary : Outcome
   int splits_of_length = 0;                           ///< how often a chart was split because of `Unwrap_options::max_length`
   int splits_for_packing = 0;                         ///< how often a chart was split because of `Unwrap_options::min_occupancy`
   int splits_of_failures = 0;                         ///< how often a chart was split because it could not be flattened
+  std::int64_t pinned_faces = 0;                      ///< faces that kept their images; charts and figures are those of the others
   int joined_charts = 0;                              ///< how many charts were joined to larger ones again, since no bound asks for a seam
   double energy = -1;                                 ///< mean symmetric Dirichlet energy, weighted by areas on the surface
   std::int64_t flips = -1;                            ///< triangles that are not positively oriented, by exact predicates:
@@ -89,7 +90,7 @@ struct Unwrap_summary : Outcome
   double seam_length = -1;       ///< their length on the surface
   double scale = -1;             ///< length in the atlas over length on the surface: the scale of the packing,
                                  ///< or 1 without
-  double occupancy = -1;         ///< the part of the unit square that is covered; -1 without packing
+  double occupancy = -1;         ///< the part of the unit square that is covered, by pinned faces, too; -1 without packing
   double cut_seconds = 0;        ///< wall-clock seconds of cutting
   double flatten_seconds = 0;    ///< of flattening, tests for overlaps and splits
   double pack_seconds = 0;       ///< of packing
@@ -104,6 +105,7 @@ struct Unwrap_summary : Outcome
     const Field_role if_valid = is_valid() ? Field_role::shown : Field_role::detail;
     Outcome::for_each_field(visit);
     visit("faces", faces);
+    visit("pinned_faces", pinned_faces, pinned_faces > 0 ? Field_role::shown : Field_role::detail);
     visit("number_of_charts", static_cast<std::int64_t>(charts.size()), if_valid);
     visit("flips", flips);
     visit("energy", energy);

@@ -29,6 +29,12 @@ struct Atlas_request
   // Sides that are seams of the caller's, and that seams are to follow.
   std::vector<std::int32_t> seams;
   std::vector<std::int32_t> features;
+  // By polygon, those that keep their images, and the images of their corners; nothing if there are none.
+  std::vector<char> is_pinned;
+  std::vector<std::array<double, 2>> images;
+
+  bool keeps(std::int32_t polygon) const { return !is_pinned.empty() && is_pinned[polygon]; }
+
   // Whether the numbers that receive the atlas have single precision; the atlas is certified in them.
   bool is_single_precision = false;
 };

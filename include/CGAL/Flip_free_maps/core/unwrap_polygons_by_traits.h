@@ -9,6 +9,7 @@
 #define CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_BY_TRAITS_H
 
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_atlas_by_traits.h>
+#include <CGAL/Flip_free_maps/core/pinned_polygons.h>
 #include <CGAL/Flip_free_maps/core/unwrap_polygons.h>
 #include <CGAL/Flip_free_maps/domains/internal/Surface_view.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
@@ -35,12 +36,29 @@ void unwrap_polygons_as(const Rounding& rounded, const Atlas_request& request, c
   const Deadline deadline(options.max_seconds);
   const Polygon_soup& soup = request.surface;
   summary.faces = soup.number_of_polygons();
+  summary.status = check_pinned_polygons(request, options, summary.message);
+  if(summary.status != Status::success)
+    return;
+  const std::vector<char>& is_pinned = request.is_pinned;
+  summary.pinned_faces = std::count(is_pinned.begin(), is_pinned.end(), 1);
+  const Packing_obstacles obstacles = pinned_obstacles(request);
   Surface_view view;
-  summary.status = view.load(soup, options.strict, summary.message);
+  if(summary.pinned_faces > 0 && summary.pinned_faces == summary.faces) {
+    result.charts.assign(soup.number_of_polygons(), -1);
+    result.images.resize(soup.number_of_corners());
+    result.seams.resize(soup.number_of_corners());
+    keep_pinned_polygons(request, result);
+    summary.status = Status::success;
+    summary.message = "all faces are pinned";
+    summary.occupancy = obstacles.area();
+    return;
+  }
+  summary.status = view.load(soup, options.strict, summary.message, is_pinned);
   if(summary.status != Status::success)
     return;
   const Linked_triangles& triangles = view.triangles();
   Chart_atlas_by_traits<Traits> atlas(triangles, begin, traits, options, summary);
+  atlas.avoid(obstacles);
   for(const std::int32_t side : request.seams)
     if(view.halfedge_of_side(side) >= 0)
       atlas.mark_seam(view.halfedge_of_side(side));
@@ -69,6 +87,7 @@ void unwrap_polygons_as(const Rounding& rounded, const Atlas_request& request, c
       result.images[c] = images[(std::max)(view.triangle_corner(c), 0)];
       result.seams[c] = view.halfedge_of_side(c) < 0 || atlas.is_seam(view.halfedge_of_side(c));
     }
+    keep_pinned_polygons(request, result);
     atlas.finish();
   }
   summary.parted_edges = view.number_of_parted_edges();

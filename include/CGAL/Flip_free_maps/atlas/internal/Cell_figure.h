@@ -40,7 +40,10 @@ public:
   Cell_figure() = default;
 
   // Those of an outline whose coordinates are in cells. None if it is wider or higher than the grid with so many cells in a row.
-  Cell_figure(const Chart_outline& outline, int grid_size);
+  Cell_figure(const Chart_outline& outline, int grid_size) : Cell_figure(outline, grid_size, outline.sources.rowwise().minCoeff()) {}
+
+  // The same with the lower left corner of the first cell here, at most one cell from the outline.
+  Cell_figure(const Chart_outline& outline, int grid_size, const Vector<2>& low);
 
   // In rows. Whether there is room for higher ones takes longer to find out than it saves.
   static constexpr int HIGHEST_BLOCK = 32;

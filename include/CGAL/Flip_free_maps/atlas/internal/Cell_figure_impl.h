@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE Cell_figure::Cell_figure(const Chart_outline& outline, int grid_size)
+CGAL_FLIP_FREE_MAPS_INLINE Cell_figure::Cell_figure(const Chart_outline& outline, int grid_size, const Vector<2>& low)
 {
-  const Vector<2> low = outline.sources.rowwise().minCoeff(), size = outline.sources.rowwise().maxCoeff() - low;
+  const Vector<2> size = outline.sources.rowwise().maxCoeff() - low;
   if(size.maxCoeff() > grid_size - 2 * SLACK)
     return;
   m_width = static_cast<int>(size[0] + SLACK) + 1;

@@ -28,13 +28,20 @@ public:
 
   int size() const { return m_size; }
 
-  // All are free again, and no work was done.
-  void clear();
+  // What is taken is what is in another grid of the same size, and no work was done.
+  void restore(const Cell_grid& other);
+
+  // The lower left cell of the largest square of free cells, and how many are along its side.
+  struct Free_square
+  {
+    int x = 0, y = 0, size = 0;
+  };
+  Free_square largest_free_square() const;
 
   // The first place in a row where a figure touches no cell that is taken, for its leftmost cells; -1 if there is none.
   int first_place(const Cell_figure& figure, int y);
 
-  // Takes the cells within a figure, and those nearer to one of its cells than a distance.
+  // Takes the cells within a figure, and those nearer to one of its cells than a distance, as far as they are in the grid.
   void take(const Cell_figure& figure, int x, int y, double distance);
 
   // What was done since then, in words that were looked at or written.

@@ -34,18 +34,31 @@ CGAL_FLIP_FREE_MAPS_INLINE Cell_grid::Cell_grid(int size)
   }
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::clear()
+CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::restore(const Cell_grid& other)
 {
   if(m_size == 0)
     return;
-  std::fill(m_taken[0].begin(), m_taken[0].end(), 0);
+  m_taken[0] = other.m_taken[0];
   for(std::vector<char>& is_old : m_is_old)
     std::fill(is_old.begin(), is_old.end(), 1);
-  for(std::size_t k = 0; k < m_is_bound.size(); ++k) {
-    std::fill(m_longest_free[k].begin(), m_longest_free[k].end(), m_size);
-    std::fill(m_is_bound[k].begin(), m_is_bound[k].end(), 0);
-  }
+  m_longest_free = other.m_longest_free;
+  m_is_bound = other.m_is_bound;
   m_work = 0;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE Cell_grid::Free_square Cell_grid::largest_free_square() const
+{
+  // By cell, the largest one with its upper right corner there: one more than the least of those at three neighbors.
+  Free_square best;
+  std::vector<int> below(m_size + 1, 0), here(m_size + 1, 0);
+  for(int y = 0; y < m_size; ++y, below.swap(here))
+    for(int x = 0; x < m_size; ++x) {
+      const Word word = m_taken[0][std::size_t(y) * (m_words + PADDING) + x / BITS];
+      here[x + 1] = (word >> x % BITS & 1) != 0 ? 0 : 1 + (std::min)({below[x], below[x + 1], here[x]});
+      if(here[x + 1] > best.size)
+        best = {x - here[x + 1] + 1, y - here[x + 1] + 1, here[x + 1]};
+    }
+  return best;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Cell_grid::is_any_taken(int y, int first, int last)
@@ -155,7 +168,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::take(const Cell_figure& figure, int x
   const int reach = static_cast<int>(std::ceil(distance)) + 1;
   for(int dy = -reach; dy <= reach; ++dy) {
     const double gap = (std::max)(std::abs(dy) - 1, 0);
-    int dx = -1;
+    int dx = dy == 0 ? 0 : -1;
     while(std::hypot(gap, (std::max)(dx, 0)) < distance)
       ++dx; // cells apart by dx have cells of dx - 1 between them
     if(dx < 0)
@@ -165,11 +178,15 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cell_grid::take(const Cell_figure& figure, int x
       if(r < 0 || r >= m_size)
         continue;
       const int first = (std::max)(0, x + run.first - dx), last = (std::min)(m_size - 1, x + run.last + dx);
+      if(first > last)
+        continue;
       set_bits(row(r), first, last);
       m_work += (last - first) / BITS + 1;
     }
   }
   const int begin = (std::max)(0, y - reach), end = (std::min)(m_size, y + figure.height() + reach);
+  if(begin >= end)
+    return;
   for(std::vector<char>& is_old : m_is_old)
     std::fill(is_old.begin() + begin, is_old.begin() + end, 1);
   for(std::size_t k = 0; k < m_is_bound.size(); ++k) {

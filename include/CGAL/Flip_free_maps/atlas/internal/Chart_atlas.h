@@ -34,6 +34,9 @@ class Chart_atlas : public Chart_flattener
 public:
   using Chart_flattener::Chart_flattener;
 
+  // Packs charts around these.
+  void avoid(const Packing_obstacles& obstacles) { m_obstacles = obstacles; }
+
   // Cuts, flattens, packs, and tests the atlas in the numbers of the result.
   bool run(const Rounding& rounded);
 

@@ -297,7 +297,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::pack()
   Packing_summary packing;
   for(;;) {
     std::size_t chart = 0;
-    pack_flat_charts(m_charts, m_options.packing, m_rounded, packing, &chart, [this] { return must_stop(); });
+    pack_flat_charts(m_charts, m_options.packing, m_obstacles, m_rounded, packing, &chart, [this] { return must_stop(); });
     if(packing.is_valid())
       break;
     if(packing.status != Status::result_not_representable || ++attempts[chart] > 3 ||
@@ -329,23 +329,16 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::certify()
 {
   const Unbound_work certificate;
   const Phase_timer timer(m_summary.certify_seconds);
-  Flat_chart all;
-  Eigen::Index number = 0;
-  for(const Flat_chart& chart : m_charts)
-    number += chart.x.cols();
-  all.x.resize(2, number);
-  number = 0;
+  std::vector<Positions<2>> positions;
   std::string message;
   for(const Flat_chart& chart : m_charts) {
     if(!m_options.pack && !is_bijective(chart.elements, chart.x, &message))
       return fail(Status::result_not_representable, "in the number type of the result " + message);
-    all.x.middleCols(number, chart.x.cols()) = chart.x;
-    const std::int32_t n = static_cast<std::int32_t>(number);
-    for(const auto& v : chart.elements)
-      all.elements.push_back({{v[0] + n, v[1] + n, v[2] + n}});
-    number += chart.x.cols();
+    positions.push_back(chart.x);
   }
-  if(m_options.pack && !is_bijective(all.elements, all.x, &message))
+  std::vector<std::array<std::int32_t, 3>> elements;
+  const Positions<2> all = joined_charts(m_charts, positions, elements);
+  if(m_options.pack && !is_bijective(elements, all, &message))
     return fail(Status::result_not_representable, "in the number type of the result " + message);
   m_summary.flips = 0;
   return true;

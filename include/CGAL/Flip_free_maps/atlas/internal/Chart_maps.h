@@ -93,6 +93,7 @@ protected:
   static constexpr double LONG = 2.2;
 
   const Unwrap_options& m_options;
+  Packing_obstacles m_obstacles;
   std::vector<Image> m_image; // of each face in the last map of it
   std::vector<Flat_chart> m_charts;
   std::vector<double> m_areas;   // of the charts on the surface, in the units of m_surface

@@ -194,7 +194,8 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::split_for_packing(const std::functio
   // gain; the part of the surface whose area a chart leaves empty at least if it is worth a trial; and the number of trials.
   const double seam_price = 0.04, least_gain = 0.02, least_empty = 0.05;
   const int most_trials = 4;
-  if(!m_options.pack || !m_options.is_bounded() || m_options.min_occupancy == 0)
+  // What others leave free is no square, and not for halves to fill better.
+  if(!m_options.pack || !m_options.is_bounded() || m_options.min_occupancy == 0 || !m_obstacles.empty())
     return;
   std::vector<double> empty;
   for(const Flat_chart& chart : m_charts)

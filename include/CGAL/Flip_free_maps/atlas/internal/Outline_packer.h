@@ -41,11 +41,20 @@ public:
   // bisection only.
   static constexpr std::int64_t MOST_WORK = 60000000;
 
+  // Takes what is not free from the start, of a grid with so many cells along the square's side, and what is nearer to that than so
+  // many cells.
+  using Take_obstacles = std::function<void(Cell_grid&, double cells_per_side, double distance)>;
+
   // Charts keep the distance from each other; the square's side is 1. The orientations are evenly spaced, and all of them may be
   // turned further if charts turn freely.
   Outline_packer(const std::vector<Chart_outline>& outlines, double distance, int orientations, bool turns_freely,
-                 std::int64_t most_work = MOST_WORK)
-    : m_outlines(outlines), m_distance(distance), m_orientations(orientations), m_turns_freely(turns_freely), m_most_work(most_work)
+                 std::int64_t most_work = MOST_WORK, const Take_obstacles& take_obstacles = nullptr)
+    : m_outlines(outlines),
+      m_distance(distance),
+      m_orientations(orientations),
+      m_turns_freely(turns_freely),
+      m_most_work(most_work),
+      m_take_obstacles(take_obstacles)
   {}
 
   // Whether there are packings with scales between these; none are looked for any more once `must_stop()` holds.
@@ -98,6 +107,9 @@ private:
     std::int64_t work = 0;
   };
 
+  // From now on packings are on a grid with about so many cells along its side.
+  void use_grid(int cells);
+
   // Charts whose boxes have the largest size come first.
   template <typename Size>
   std::vector<std::size_t> sorted(Size size) const;
@@ -127,11 +139,13 @@ private:
   int m_orientations;
   bool m_turns_freely;
   std::int64_t m_most_work;
+  Take_obstacles m_take_obstacles;
   double m_scale = -1;
   std::vector<Outline_place> m_places;
   Plan m_best;
   Attempt m_attempt;
-  int m_size = 0; // about how many cells are along a side of the grid
+  Cell_grid m_start; // without any chart
+  double m_cells_per_side = 0, m_cell_distance = 0;
   std::vector<double> m_areas;
   double m_area = 0;
 };

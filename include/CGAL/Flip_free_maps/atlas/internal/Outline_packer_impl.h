@@ -53,7 +53,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::pack(double low, double high, co
   // Cells should be small next to charts, and the fewer charts the more orientations.
   const std::size_t several = 256, many = 1000, n = m_outlines.size();
   const bool are_many = n > many;
-  m_size = n <= several ? 512 : 1024;
+  use_grid(n <= several ? 512 : 1024);
   const int fine_size = n <= FEW ? 1024 : 2048;
   m_attempt.plan.order = sorted([](const Vector<2>& box) { return box.maxCoeff(); });
   low = bisect(low, high, are_many ? 3 * SCALE_TOLERANCE : SCALE_TOLERANCE, must_stop);
@@ -68,11 +68,22 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::pack(double low, double high, co
     }
     low = search(low, must_stop);
   }
-  m_size = fine_size;
+  use_grid(fine_size);
   if(m_scale > 0)
     m_attempt.plan = m_best;
   bisect(low, low * (1 + MOST_REFINEMENT), are_many ? 2 * SCALE_TOLERANCE : SEARCH_STEP, must_stop);
   return m_scale > 0;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Outline_packer::use_grid(int cells)
+{
+  // The distance is a whole number of cells if it is at least one, lest it be rounded up.
+  const int gap = static_cast<int>(m_distance * cells);
+  m_cells_per_side = gap > 0 ? gap / m_distance : cells;
+  m_cell_distance = gap > 0 ? gap : m_distance * cells;
+  m_start = Cell_grid(static_cast<int>(m_cells_per_side));
+  if(m_take_obstacles)
+    m_take_obstacles(m_start, m_cells_per_side, m_cell_distance);
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::bisect(double low, double high, double tolerance, const std::function<bool()>& must_stop)
@@ -170,19 +181,16 @@ CGAL_FLIP_FREE_MAPS_INLINE int Outline_packer::box_class(const Cell_figure& figu
 
 CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(Attempt& attempt, double scale, const std::function<bool()>& must_stop) const
 {
-  // The distance is a whole number of cells if it is at least one, lest it be rounded up.
-  const int gap = static_cast<int>(m_distance * m_size);
-  const double cells_per_side = gap > 0 ? gap / m_distance : m_size, distance = gap > 0 ? gap : m_distance * m_size;
-  const int size = static_cast<int>(cells_per_side);
-  if(scale * cells_per_side != attempt.figures_scale || attempt.plan.turn != attempt.figures_turn) {
+  const int size = m_start.size();
+  if(scale * m_cells_per_side != attempt.figures_scale || attempt.plan.turn != attempt.figures_turn) {
     attempt.figures.assign(m_outlines.size(), std::vector<Turned_figure>(m_orientations));
-    attempt.figures_scale = scale * cells_per_side;
+    attempt.figures_scale = scale * m_cells_per_side;
     attempt.figures_turn = attempt.plan.turn;
   }
   Cell_grid& grid = attempt.grid;
   if(grid.size() != size)
     grid = Cell_grid(size);
-  grid.clear();
+  grid.restore(m_start);
   attempt.work += 2 * size; // what that costs, and an end to the search where nothing else does any work
   std::vector<Outline_place> places(m_outlines.size());
   // By orientation and class of the box: below there was no room for another figure, and none is looked for if there are many.
@@ -218,12 +226,12 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(Attempt& attempt, double sc
         attempt.room = placed_area / m_area;
         return false;
       }
-      grid.take(best->cells, best_x, best_y, distance);
+      grid.take(best->cells, best_x, best_y, m_cell_distance);
       top = (std::max)(top, best_top);
       placed_area += m_areas[c];
       places[c] = best->turn;
-      places[c].x = best_x / cells_per_side;
-      places[c].y = best_y / cells_per_side;
+      places[c].x = best_x / m_cells_per_side;
+      places[c].y = best_y / m_cells_per_side;
     }
     attempt.room = static_cast<double>(size) / top;
     return true;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_free_maps/atlas/Packing_options.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Outline_packer.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Packing_obstacles.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Rectangle_packer.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
@@ -66,10 +67,15 @@ Positions<2> as_rounded_by(const Positions<2>& x)
   return rounded;
 }
 
-// The places of charts by their outlines, or those of their bounding boxes, whichever allow the larger scale.
-std::vector<Outline_place> places_by_outlines(const std::vector<Flat_chart>& charts, const std::vector<Positions<2>>& turned,
-                                              const Rectangle_packer& boxes, const Packing_options& options,
-                                              const std::function<bool()>& must_stop, std::int64_t most_work, double& scale);
+// The places of charts by their outlines, or those of their bounding boxes in the largest square without obstacles, whichever allow
+// the larger scale; none if there is no room.
+std::vector<Outline_place> chart_places(const std::vector<Flat_chart>& charts, const std::vector<Positions<2>>& turned,
+                                        const Packing_options& options, const Packing_obstacles& obstacles,
+                                        const std::function<bool()>& must_stop, std::int64_t most_work, double& scale);
+
+// All triangles and the positions of all vertices as one.
+Positions<2> joined_charts(const std::vector<Flat_chart>& charts, const std::vector<Positions<2>>& positions,
+                           std::vector<std::array<std::int32_t, 3>>& elements);
 
 // A chart's positions about its centre, turned to its smallest box if it may be turned. Rounding is another one in the directions of
 // further attempts.
@@ -78,10 +84,12 @@ Positions<2> turned_chart(const Positions<2>& x, bool may_turn, int attempt);
 // How much of the unit square charts cover at least, by a first packing of many.
 double expected_occupancy(const std::vector<Flat_chart>& charts, const Packing_options& options, const std::function<bool()>& must_stop);
 
-// Moves charts without flips into the unit square: each turned, all scaled alike, apart by the margin. Whatever the charts had, no flips or no overlaps, they have afterwards, in the numbers of the result; or the status says
+// Moves charts without flips into the unit square: each turned, all scaled alike, apart by the margin from each other and from
+// obstacles. Whatever the charts had, no flips or no overlaps, they have afterwards, in the numbers of the result; or the status says
 // otherwise and the charts stay as they are. `unrepresentable` receives the number of a chart that these are too coarse for.
-void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& options, const Rounding& rounded, Packing_summary& summary,
-                      std::size_t* unrepresentable = nullptr, const std::function<bool()>& must_stop = nullptr);
+void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& options, const Packing_obstacles& obstacles,
+                      const Rounding& rounded, Packing_summary& summary, std::size_t* unrepresentable = nullptr,
+                      const std::function<bool()>& must_stop = nullptr);
 
 // Writes charts to a map that is keyed by corners: `corner_of(face, k)` gives the key.
 template <typename HalfedgeUVMap, typename CornerOf>

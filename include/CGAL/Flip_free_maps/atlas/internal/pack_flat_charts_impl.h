@@ -61,6 +61,24 @@ CGAL_FLIP_FREE_MAPS_INLINE double signed_area(const Flat_chart& chart, const Pos
   return area;
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE Positions<2> joined_charts(const std::vector<Flat_chart>& charts, const std::vector<Positions<2>>& positions,
+                                                      std::vector<std::array<std::int32_t, 3>>& elements)
+{
+  Eigen::Index size = 0;
+  for(const Positions<2>& x : positions)
+    size += x.cols();
+  Positions<2> all(2, size);
+  size = 0;
+  for(std::size_t c = 0; c < charts.size(); ++c) {
+    const std::int32_t first = static_cast<std::int32_t>(size);
+    for(const auto& v : charts[c].elements)
+      elements.push_back({{first + v[0], first + v[1], first + v[2]}});
+    all.middleCols(size, positions[c].cols()) = positions[c];
+    size += positions[c].cols();
+  }
+  return all;
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE Positions<2> turned_chart(const Positions<2>& x, bool may_turn, int attempt)
 {
   const Positions<2> centered = x.colwise() - x.rowwise().mean().eval();
@@ -78,20 +96,35 @@ CGAL_FLIP_FREE_MAPS_INLINE Positions<2> turned_chart(const Positions<2>& x, bool
   return rotation * centered;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const std::vector<Flat_chart>& charts,
-                                                                         const std::vector<Positions<2>>& turned,
-                                                                         const Rectangle_packer& boxes, const Packing_options& options,
-                                                                         const std::function<bool()>& must_stop, std::int64_t most_work,
-                                                                         double& scale)
+CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> chart_places(const std::vector<Flat_chart>& charts,
+                                                                   const std::vector<Positions<2>>& turned, const Packing_options& options,
+                                                                   const Packing_obstacles& obstacles,
+                                                                   const std::function<bool()>& must_stop, std::int64_t most_work,
+                                                                   double& scale)
 {
   // Charts as small as cells hardly have dents for others; and large distances leave none.
   const std::size_t most_charts = 20000;
   const double largest_distance = 0.05;
   std::vector<Outline_place> places;
-  for(const Rectangle_place& place : boxes.places())
-    places.push_back({place.x, place.y, place.is_turned ? 0. : 1., place.is_turned ? 1. : 0.});
-  scale = boxes.scale();
-  if(charts.size() > most_charts || options.distance() > largest_distance)
+  scale = 0;
+  const Packing_obstacles::Square room = obstacles.largest_square(options.distance());
+  if(room.side > 0) {
+    std::vector<std::array<double, 2>> sizes;
+    for(const Positions<2>& x : turned) {
+      const Vector<2> size = extent(x);
+      sizes.push_back({{size[0], size[1]}});
+    }
+    Rectangle_packer boxes(sizes, options.distance() / room.side);
+    if(boxes.pack()) {
+      for(const Rectangle_place& place : boxes.places())
+        places.push_back({room.lower_left[0] + room.side * place.x, room.lower_left[1] + room.side * place.y, place.is_turned ? 0. : 1.,
+                          place.is_turned ? 1. : 0.});
+      scale = room.side * boxes.scale();
+    }
+  }
+  // Between obstacles there may be room where the largest square has none.
+  const bool is_open = obstacles.empty();
+  if((is_open && places.empty()) || charts.size() > most_charts || (is_open && options.distance() > largest_distance))
     return places;
   double area = 0;
   std::vector<Chart_outline> outlines(charts.size());
@@ -111,8 +144,13 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> places_by_outlines(const s
   // In the square that is left within the sides' margin.
   const double side = 1 - options.distance();
   const int orientations = !options.rotate || charts.size() > 256 ? 4 : charts.size() > 32 ? 8 : 16;
-  Outline_packer packer(outlines, options.distance() / side, orientations, options.rotate, most_work);
-  if(packer.pack(scale / side, std::sqrt(1 / area),
+  const Outline_packer::Take_obstacles take_obstacles = [&](Cell_grid& grid, double cells_per_side, double distance) {
+    obstacles.take(grid, Vector<2>::Constant(options.distance() / 2), cells_per_side / side, distance);
+  };
+  Outline_packer packer(outlines, options.distance() / side, orientations, options.rotate, most_work,
+                        is_open ? Outline_packer::Take_obstacles() : take_obstacles);
+  const double largest_scale = std::sqrt(1 / area), least_scale = 1e-4 * largest_scale;
+  if(packer.pack(scale > 0 ? scale / side : least_scale, largest_scale,
                  [&must_stop] { return (must_stop && must_stop()) || deadline_status() != Status::success; })) {
     scale = packer.scale() * side;
     places = packer.places();
@@ -128,25 +166,19 @@ CGAL_FLIP_FREE_MAPS_INLINE double expected_occupancy(const std::vector<Flat_char
                                                      const std::function<bool()>& must_stop)
 {
   std::vector<Positions<2>> turned;
-  std::vector<std::array<double, 2>> sizes;
   double area = 0;
   for(const Flat_chart& chart : charts) {
     turned.push_back(turned_chart(chart.x, options.rotate, 0));
-    const Vector<2> size = extent(turned.back());
-    sizes.push_back({{size[0], size[1]}});
     area += signed_area(chart, chart.x);
   }
-  Rectangle_packer boxes(sizes, options.distance());
-  if(!boxes.pack())
-    return 0;
   double scale;
-  places_by_outlines(charts, turned, boxes, options, must_stop, 0, scale);
+  chart_places(charts, turned, options, Packing_obstacles(), must_stop, 0, scale);
   return area * scale * scale;
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& options, const Rounding& rounded,
-                                                 Packing_summary& summary, std::size_t* unrepresentable,
-                                                 const std::function<bool()>& must_stop)
+CGAL_FLIP_FREE_MAPS_INLINE void pack_flat_charts(std::vector<Flat_chart>& charts, const Packing_options& options,
+                                                 const Packing_obstacles& obstacles, const Rounding& rounded, Packing_summary& summary,
+                                                 std::size_t* unrepresentable, const std::function<bool()>& must_stop)
 {
   summary.charts = static_cast<int>(charts.size());
   if(!options.is_valid(&summary.message)) {
@@ -164,28 +196,23 @@ CGAL_FLIP_FREE_MAPS_INLINE void pack_flat_charts(std::vector<Flat_chart>& charts
   }
 
   std::vector<Positions<2>> turned(charts.size());
-  std::vector<std::array<double, 2>> sizes(charts.size());
   std::vector<int> attempts(charts.size(), options.rotate ? 0 : 1);
   std::vector<char> is_placed(charts.size(), 0);
   const int most_attempts = 8;
-  const auto turn = [&](std::size_t c) {
-    turned[c] = turned_chart(charts[c].x, options.rotate, attempts[c]);
-    const Vector<2> size = extent(turned[c]);
-    sizes[c] = {{size[0], size[1]}};
-  };
+  const auto turn = [&](std::size_t c) { turned[c] = turned_chart(charts[c].x, options.rotate, attempts[c]); };
   for(std::size_t c = 0; c < charts.size(); ++c)
     turn(c);
 
   std::vector<Positions<2>> placed(charts.size());
   for(bool is_done = false; !is_done;) {
-    Rectangle_packer packer(sizes, options.distance());
-    if(!packer.pack()) {
+    const std::vector<Outline_place> places =
+      chart_places(charts, turned, options, obstacles, must_stop, Outline_packer::MOST_WORK, summary.scale);
+    if(places.empty()) {
       summary.status = Status::invalid_option;
-      summary.message = "the margin leaves no room for " + std::to_string(charts.size()) + " charts in the unit square";
+      summary.message = obstacles.empty() ? "the margin leaves" : "the margin and what is pinned leave";
+      summary.message += " no room for " + std::to_string(charts.size()) + " charts in the unit square";
       return;
     }
-    const std::vector<Outline_place> places =
-      places_by_outlines(charts, turned, packer, options, must_stop, Outline_packer::MOST_WORK, summary.scale);
     is_done = true;
     const Unbound_work certificate;
     for(std::size_t c = 0; c < charts.size(); ++c) {
@@ -213,7 +240,16 @@ CGAL_FLIP_FREE_MAPS_INLINE void pack_flat_charts(std::vector<Flat_chart>& charts
       turn(c);
     }
   }
-  summary.occupancy = 0;
+  if(!obstacles.empty()) {
+    std::vector<std::array<std::int32_t, 3>> elements;
+    const Positions<2> all = joined_charts(charts, placed, elements);
+    if(obstacles.are_touched(elements, all)) {
+      summary.status = Status::result_not_representable;
+      summary.message = "charts cannot be kept apart from what is pinned in the number type of the result";
+      return;
+    }
+  }
+  summary.occupancy = obstacles.area();
   for(std::size_t c = 0; c < charts.size(); ++c) {
     charts[c].x.swap(placed[c]);
     summary.occupancy += signed_area(charts[c], charts[c].x);

@@ -35,8 +35,8 @@ class Surface_view
 {
 public:
   // False, and `message` says why, if there is nothing that can be mapped. If it `is_strict`, polygons that are no triangles, have no
-  // area, or cannot all be joined by their indices are refused, too.
-  Status load(const Polygon_soup& soup, bool is_strict, std::string& message);
+  // area, or cannot all be joined by their indices are refused, too. Some polygons may be left out: what is next to them is border.
+  Status load(const Polygon_soup& soup, bool is_strict, std::string& message, const std::vector<char>& is_left_out = {});
 
   const Linked_triangles& triangles() const { return m_triangles; }
 
@@ -52,6 +52,8 @@ public:
 private:
   Status fail(Status status, const std::string& text);
 
+  bool is_left_out(std::int32_t polygon) const { return !m_is_left_out.empty() && m_is_left_out[polygon]; }
+
   Status check_points();
   void make_rings();
   void cut_to_triangles(const Side_joiner& joiner);
@@ -65,6 +67,7 @@ private:
 
   Vector<3> point(std::int32_t welded) const { return m_triangles.points.col(welded); }
   const Polygon_soup* m_soup = nullptr;
+  std::vector<char> m_is_left_out; // by polygon, if any is
   bool m_is_strict = false;
   std::string* m_message = nullptr;
   Linked_triangles m_triangles;

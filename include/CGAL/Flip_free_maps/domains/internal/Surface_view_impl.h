@@ -32,8 +32,10 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE Status Surface_view::load(const Polygon_soup& soup, bool is_strict, std::string& message)
+CGAL_FLIP_FREE_MAPS_INLINE Status Surface_view::load(const Polygon_soup& soup, bool is_strict, std::string& message,
+                                                     const std::vector<char>& is_left_out)
 {
+  m_is_left_out = is_left_out;
   m_rings = Polygon_rings();
   m_soup = m_rings.soup = &soup;
   m_is_strict = is_strict;
@@ -56,7 +58,8 @@ CGAL_FLIP_FREE_MAPS_INLINE Status Surface_view::load(const Polygon_soup& soup, b
     return fail(Status::degenerate_rest_element, "no face has corners at three different places");
   cut_to_triangles(joiner);
   link_triangles(joiner.opposite());
-  status = is_strict ? check_fans() : Status::success;
+  // What is left out may have joined what meets at a vertex.
+  status = is_strict && is_left_out.empty() ? check_fans() : Status::success;
   if(status != Status::success)
     return status;
   place_corners();
@@ -83,7 +86,7 @@ CGAL_FLIP_FREE_MAPS_INLINE Status Surface_view::check_points()
   Vector<3> low = Vector<3>::Constant(infinity), high = -low;
   m_rings.welded.assign(points.cols(), -1);
   for(std::int32_t p = 0; p < m_soup->number_of_polygons(); ++p)
-    for(std::int32_t c = m_soup->first_corners[p]; c < m_soup->first_corners[p + 1]; ++c) {
+    for(std::int32_t c = m_soup->first_corners[p]; !is_left_out(p) && c < m_soup->first_corners[p + 1]; ++c) {
       const std::int32_t v = m_soup->vertices[c];
       if(m_rings.welded[v] >= 0)
         continue;
@@ -113,6 +116,10 @@ CGAL_FLIP_FREE_MAPS_INLINE void Surface_view::make_rings()
   m_rings.polygons.reserve(m_soup->number_of_corners());
   for(std::int32_t p = 0; p < polygons; ++p) {
     const std::int32_t begin = m_soup->first_corners[p], end = m_soup->first_corners[p + 1], first = m_rings.first_places[p];
+    if(is_left_out(p)) {
+      m_rings.first_places.push_back(first);
+      continue;
+    }
     for(std::int32_t c = begin; c < end; ++c)
       if(m_rings.welded[m_soup->vertices[c]] != m_rings.welded[m_soup->vertices[m_soup->prev(p, c)]])
         m_rings.corners.push_back(c);
@@ -233,6 +240,8 @@ CGAL_FLIP_FREE_MAPS_INLINE void Surface_view::place_corners()
   for(std::int32_t p = 0; p < m_soup->number_of_polygons(); ++p) {
     const std::int32_t first = m_rings.first_places[p], end = m_rings.first_places[p + 1];
     for(std::int32_t c = m_soup->first_corners[p]; c < m_soup->first_corners[p + 1]; ++c) {
+      if(is_left_out(p))
+        continue;
       if(first == end) {
         m_triangle_corners[c] = corner_at[m_rings.welded[m_soup->vertices[c]]];
         continue;
