@@ -82,8 +82,8 @@ class ModuleEngine:
         except self.module.Error as error:
             raise Refused(error.message) from error
 
-    def unwrap(self, points, values, offsets, seams, options, watch):
-        """An image for each corner of polygons, and a sentence."""
+    def unwrap(self, points, values, offsets, seams, pinned, uv, options, watch):
+        """An image for each corner of polygons, and a sentence. Those of pinned polygons are given and stay."""
 
         def progress(report):
             share = {"cut": 0.0, "flatten": 0.1 + 0.8 * report.faces_done / max(1, report.faces), "pack": 0.9}[report.phase]
@@ -94,7 +94,7 @@ class ModuleEngine:
                                        max_distortion=options["max_distortion"], pack=options["pack"], rotate=options["rotate"],
                                        resolution=options["resolution"], padding=options["padding"],
                                        branches=options["branches"], tolerance=options["tolerance"],
-                                       time_limit=options["time_limit"])
+                                       time_limit=options["time_limit"], pinned=pinned, uv=uv)
         return np.float64(atlas.corners), _sentence(len(atlas.summary.charts), atlas.summary.to_dict(), options["pack"])
 
     def flatten(self, points, triangles, start, fixed, soft, tolerance, watch):
@@ -114,9 +114,9 @@ class ModuleEngine:
         with self._errors():
             return self.module.repair(points, triangles, uv, fix_border=fix_border, progress=progress).uv
 
-    def pack(self, triangles, uv, options, watch):
+    def pack(self, triangles, uv, pinned, options, watch):
         with self._errors():
-            result = self.module.pack(triangles, uv, rotate=options["rotate"], resolution=options["resolution"],
+            result = self.module.pack(triangles, uv, pinned=pinned, rotate=options["rotate"], resolution=options["resolution"],
                                       padding=options["padding"])
         return np.float64(result.uv), _sentence(result.summary.charts, result.summary.to_dict(), True)
 
@@ -126,8 +126,8 @@ class ProgramEngine:
         self.program = program
 
     def _run(self, command, polygons, arguments, watch, reports=True):
-        """Runs the program on a polygon mesh (points, values, offsets, uv or None, both by corner or both by vertex); returns
-        the images of the corners and the summary."""
+        """Runs the program on a polygon mesh (points, values, offsets), perhaps with images and those of corners if their numbers
+        are not those of points; returns the images of the corners and the summary."""
         with tempfile.TemporaryDirectory(prefix="flip_free_maps_") as folder:
             path = {name: os.path.join(folder, name) for name in ("in.obj", "out.obj", "out.json")}
             _write_obj(path["in.obj"], *polygons)
@@ -178,12 +178,14 @@ class ProgramEngine:
             return "cancelled; there was no map yet"
         return ended or said or f"{self.program} ended with the code {process.returncode}"
 
-    def unwrap(self, points, values, offsets, seams, options, watch):
+    def unwrap(self, points, values, offsets, seams, pinned, uv, options, watch):
         arguments = {"--margin": options["padding"] / options["resolution"], "--no-rotation": not options["rotate"],
                      "--no-pack": not options["pack"], "--max-distortion": options["max_distortion"],
                      "--branches": options["branches"], "--tolerance": options["tolerance"],
-                     "--time-limit": options["time_limit"], "--seams": seams if len(seams) else None}
-        uv, summary = self._run("unwrap", (points, values, offsets), arguments, watch)
+                     "--time-limit": options["time_limit"], "--seams": seams if len(seams) else None,
+                     "--pinned": np.flatnonzero(pinned) if pinned.any() else None}
+        polygons = (points, values, offsets) + ((uv, np.arange(len(uv))) if pinned.any() else ())
+        uv, summary = self._run("unwrap", polygons, arguments, watch)
         return uv, _sentence(len(summary["charts"]), summary, options["pack"])
 
     def flatten(self, points, triangles, start, fixed, soft, tolerance, watch):
@@ -203,11 +205,12 @@ class ProgramEngine:
         uv, _ = self._run("repair", (points, values, offsets, uv), {"--fix-border": fix_border}, watch)
         return _by_vertex(uv, values, len(points))
 
-    def pack(self, triangles, uv, options, watch):
+    def pack(self, triangles, uv, pinned, options, watch):
         values, offsets = triangles.ravel(), 3 * np.arange(len(triangles) + 1)
         # To the program vertices at the same place are one: islands lie in planes of their own.
         points = np.column_stack([uv, components(len(uv), triangles[:, [0, 1]].ravel(), triangles[:, [1, 2]].ravel())])
-        arguments = {"--margin": options["padding"] / options["resolution"], "--no-rotation": not options["rotate"]}
+        arguments = {"--margin": options["padding"] / options["resolution"], "--no-rotation": not options["rotate"],
+                     "--pinned": np.flatnonzero(pinned) if pinned.any() else None}
         uv, summary = self._run("pack", (points, values, offsets, uv), arguments, watch, reports=False)
         return _by_vertex(uv, values, len(points)), _sentence(summary["charts"], summary, True)
 
@@ -229,12 +232,15 @@ def _json_of(text):
     return report if isinstance(report, dict) and "phase" in report else None
 
 
-def _write_obj(path, points, values, offsets, uv=None):
+def _write_obj(path, points, values, offsets, uv=None, uv_values=None):
     with open(path, "w", encoding="ascii") as file:
         file.writelines("v %.17g %.17g %.17g\n" % tuple(p) for p in points.tolist())
         if uv is not None:
             file.writelines("vt %.17g %.17g\n" % tuple(p) for p in uv.tolist())
-        corners = [f"{v}/{v}" if uv is not None else str(v) for v in (values + 1).tolist()]
+        numbers = (values + 1).tolist()
+        corners = [str(v) for v in numbers]
+        if uv is not None:
+            corners = [f"{v}/{t}" for v, t in zip(numbers, numbers if uv_values is None else (uv_values + 1).tolist())]
         ends = offsets.tolist()
         file.writelines("f " + " ".join(corners[first:last]) + "\n" for first, last in zip(ends[:-1], ends[1:]))
 
@@ -524,10 +530,12 @@ def unwrap(engine, faces, keep_islands, options, watch):
             notes.append("pins cannot be reached exactly without flips")
     is_free = faces.is_chosen & ~has_pins
     if is_free.any():
-        is_free_corner = is_free[faces.face_of]
-        offsets = np.concatenate([[0], np.cumsum(faces.sizes[is_free])])
-        uv[is_free_corner], sentence = engine.unwrap(faces.points, faces.values[is_free_corner], offsets,
-                                                     faces.seams(is_free, keep_islands), options, watch)
+        # What has pins is where it is; all else is packed around it.
+        is_laid = is_free | (has_pins & options["pack"])
+        corners = is_laid[faces.face_of]
+        offsets = np.concatenate([[0], np.cumsum(faces.sizes[is_laid])])
+        uv[corners], sentence = engine.unwrap(faces.points, faces.values[corners], offsets, faces.seams(is_free, keep_islands),
+                                              has_pins[is_laid], uv[corners], options, watch)
     if pinned:
         notes.insert(0, f"{len(pinned)} with pins")
     if watch.is_cancelled:
@@ -578,7 +586,9 @@ def pack(engine, faces, options, watch):
     triangles = np.where((areas < 0)[:, None], triangles[:, ::-1], triangles)[areas != 0]
     if len(triangles) == 0:
         raise Refused("no face has an area in the UV map")
-    images, sentence = engine.pack(triangles, uv, options, watch)
+    # Islands with a pin stay where they are.
+    is_pinned = np.isin(vertices, faces.vertex_of[faces.is_pinned])
+    images, sentence = engine.pack(triangles, uv, is_pinned[triangles].any(axis=1), options, watch)
     is_used = np.zeros(len(vertices), bool)
     is_used[triangles] = True
     result = faces.uv.copy()

@@ -272,6 +272,28 @@ def test_pack():
     assert areas.max() < 1.0001 * areas.min()
 
 
+def test_islands_with_pins_stay():
+    item = fresh(bpy.ops.mesh.primitive_cube_add)
+    mesh, layer = edited(item)
+    for face in mesh.faces:
+        for loop, image in zip(face.loops, ((0, 0), (1, 0), (1, 1), (0, 1))):
+            # The last face lies in the middle, the others upon each other.
+            is_last = face.index == 5
+            loop[layer].uv = (0.4 + 0.3 * image[0], 0.35 + 0.3 * image[1]) if is_last else image
+            loop[layer].pin_uv = is_last and image == (0, 0)
+    bmesh.update_edit_mesh(item.data)
+    before = Layout(item)
+    is_pinned = np.repeat(np.arange(6) == 5, 4)
+    assert bpy.ops.uv.flip_free_pack(margin=8) == {"FINISHED"}
+    packed = check_atlas(item)
+    assert (packed.uv[is_pinned] == before.uv[is_pinned]).all() and (packed.uv[~is_pinned] != before.uv[~is_pinned]).any()
+    # Its map has the least distortion already, up to the direction of its pin.
+    assert bpy.ops.uv.flip_free_unwrap(keep_islands=True) == {"FINISHED"}
+    again = check_atlas(item)
+    pin = np.flatnonzero(is_pinned)[0]
+    assert (again.uv[pin] == before.uv[pin]).all()
+
+
 def test_several_objects():
     first = fresh(bpy.ops.mesh.primitive_cube_add)
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -772,6 +772,38 @@ expect 11 measure packed.obj --json measured.json
 check "what was mirrored stays mirrored" test "$(value measured.json flips)" = 3
 expect 17 pack sheet.obj -o packed.obj
 expect 16 pack islands.obj --margin 0
+# Pinned islands stay. images_of FILE N: the texture coordinates of face N, which counts from 1.
+images_of()
+{
+  awk -v n="$2" '$1 == "vt" { t[++m] = $2 " " $3 }
+    $1 == "f" && ++f == n { for(k = 2; k <= NF; ++k) { split($k, i, "/"); print t[i[2]] } }' "$1"
+}
+expect 0 pack islands.obj -o packed.obj
+echo 2 > pinned.txt # the first quad
+expect 0 pack packed.obj --pinned pinned.txt --margin 0.05 -o pinned.obj --json pinned.json
+check "an island is pinned" test "$(value pinned.json pinned_charts)" = 1
+check "the pinned island stays" test "$(images_of pinned.obj 3)" = "$(images_of packed.obj 3)"
+check "others do not" test "$(images_of pinned.obj 1)" != "$(images_of packed.obj 1)"
+expect 0 unwrap components.off -o split.obj
+echo 0 > pinned.txt
+expect 0 unwrap split.obj --pinned pinned.txt -o pinned.obj --json pinned.json
+pinned="$(total pinned.json pinned_faces)"
+check "faces are pinned, but not all" test "$pinned" -gt 0 -a "$pinned" -lt "$(total pinned.json faces)"
+same="$(awk '
+  FNR == 1 { file++; m = 0; f = 0 }
+  $1 == "vt" { t[++m] = $2 " " $3 }
+  $1 == "f" { ++f; s = ""; for(k = 2; k <= NF; ++k) { split($k, i, "/"); s = s " " t[i[2]] }
+              if(file == 1) first[f] = s; else if(first[f] == s) ++same }
+  END { print same + 0 }' split.obj pinned.obj)"
+check "pinned faces keep their images" test "$same" = "$pinned"
+expect 0 measure pinned.obj --json measured.json
+check "nothing overlaps what is pinned" test "$(value measured.json bijective)" = true
+echo 100000 > pinned.txt
+expect 17 unwrap split.obj --pinned pinned.txt
+expect 17 pack split.obj --pinned pinned.txt
+expect 2 unwrap split.obj --pinned pinned.txt --no-pack
+echo 0 > pinned.txt
+expect 17 unwrap sheet.off --pinned pinned.txt
 grep -v ' 9$\|/25' islands_out.obj > cube.obj
 expect 0 unwrap cube.obj --keep-seams -o kept_seams.obj --json atlas.json
 check "seams of the file are kept" test "$(total atlas.json number_of_charts)" = 6

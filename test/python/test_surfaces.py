@@ -278,6 +278,43 @@ def test_pack():
         ffm.pack(atlas.faces, atlas.uv * [-1, 1])
 
 
+def test_pinned_charts():
+    points, faces = meshes.sphere()
+    atlas = ffm.unwrap(points, faces, max_distortion=1.01)
+    assert len(atlas.summary.charts) > 1
+    is_pinned = atlas.charts == 1
+    # By flags of all faces of the chart, or by the number of one.
+    for pinned in (is_pinned, [int(np.flatnonzero(is_pinned)[0])]):
+        uv, summary = ffm.pack(atlas.faces, atlas.uv, pinned=pinned, margin=0.01)
+        stays = np.unique(atlas.faces[is_pinned])
+        assert summary.pinned_charts == 1 and summary.charts == len(atlas.summary.charts)
+        assert (uv[stays] == atlas.uv[stays]).all() and (np.delete(uv, stays, 0) != np.delete(atlas.uv, stays, 0)).any()
+        assert ffm.is_bijective(atlas.faces, uv)
+    for wrong in ([len(faces)], [-1]):
+        with pytest.raises(ffm.InvalidOption):
+            ffm.pack(atlas.faces, atlas.uv, pinned=wrong)
+    with pytest.raises(ValueError):
+        ffm.pack(atlas.faces, atlas.uv, pinned=is_pinned[:-1])
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_pinned_faces(dtype):
+    points, faces = meshes.sphere()
+    atlas = ffm.unwrap(points, faces, max_distortion=1.01, dtype=dtype)
+    is_pinned = atlas.charts == 1
+    again = ffm.unwrap(points, faces, pinned=is_pinned, uv=atlas.corners, dtype=dtype)
+    assert again.summary.pinned_faces == is_pinned.sum() and (again.charts[is_pinned] == -1).all() and (again.charts[~is_pinned] >= 0).all()
+    assert (again.corners[is_pinned] == atlas.corners[is_pinned]).all()
+    assert meshes.is_atlas_of(faces, again.vertices, again.faces) and ffm.is_bijective(again.faces, again.uv)
+    assert (ffm.unwrap(points, faces, pinned=np.flatnonzero(is_pinned), uv=atlas.corners, dtype=dtype).uv == again.uv).all()
+    with pytest.raises(TypeError):
+        ffm.unwrap(points, faces, pinned=is_pinned)
+    with pytest.raises(ValueError):
+        ffm.unwrap(points, faces, pinned=is_pinned, uv=atlas.uv[:5])
+    with pytest.raises(ffm.InvalidOption):
+        ffm.unwrap(points, faces, pinned=is_pinned, uv=atlas.corners, pack=False)
+
+
 @pytest.mark.parametrize("mesh", [meshes.sphere(), meshes.torus()], ids=["sphere", "torus"])
 def test_cut_to_disk(mesh):
     points, faces = mesh

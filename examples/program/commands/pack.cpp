@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/measure_distortion.h>
 #include <CGAL/Flip_free_maps/pack_charts.h>
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <utility>
@@ -64,8 +65,15 @@ private:
     read_surface(m_input, true, surface);
     Atlas atlas = make_atlas(surface, surface.images);
     check(!atlas.mesh.triangles.empty(), m_input + ": no face with an area has texture coordinates");
+    // Of islands as large as the surface; what they are packed to is for the picture only.
     std::vector<double> distortion;
-    FFM::measure_distortion(atlas.mesh, &distortion);
+    FFM::Textured_mesh unscaled = atlas.mesh;
+    const FFM::Distortion_report measured = FFM::measure_distortion(unscaled);
+    const double scale = std::sqrt(measured.rest_area / std::abs(measured.image_area));
+    if(std::isfinite(scale) && scale > 0)
+      for(auto& p : unscaled.texture)
+        p = {p[0] * scale, p[1] * scale};
+    FFM::measure_distortion(unscaled, &distortion);
     // Outlines are all that counts, hence flipped triangles are handed over turned round, and those without an area not at all.
     FFM::Textured_mesh packed = atlas.mesh;
     const std::vector<char> is_pinned_face = read_pinned_faces(m_pinned, surface, atlas);

@@ -22,8 +22,9 @@ namespace py = pybind11;
 
 // surfaces.cpp
 py::tuple unwrap(const py::array& points, const py::array& values, const py::array& offsets, const py::array& seams,
-                 const py::array& features, const py::dict& given, bool is_single_precision, const py::object& progress);
-py::tuple pack(const py::array& triangles, const py::array& uv, const py::dict& given, bool is_single_precision);
+                 const py::array& features, const py::array& pinned, const py::array& images, const py::dict& given,
+                 bool is_single_precision, const py::object& progress);
+py::tuple pack(const py::array& triangles, const py::array& uv, const py::array& pinned, const py::dict& given, bool is_single_precision);
 py::tuple cut_to_disk(const py::array& points, const py::array& triangles, const py::array& seams, const py::dict& given);
 py::tuple cut_along(const py::array& triangles, std::int64_t number_of_points, const py::array& seams);
 py::tuple measure(const py::array& points, const py::array& triangles, const py::array& uv);

@@ -24,6 +24,8 @@
 #include <CGAL/Flip_free_maps/pack_charts.h>
 #include <CGAL/Flip_free_maps/unwrap.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -127,9 +129,24 @@ bool are_sides(const Polygons& polygons, const Edges& edges, FFM::Unwrap_summary
   return true;
 }
 
+// Whether each face is pinned.
+std::vector<char> flags_of(const Polygons::Numbers& numbers)
+{
+  std::vector<char> flags;
+  for(const auto& number : numbers)
+    flags.push_back(number[0] != 0);
+  return flags;
+}
+
+auto by_number(const std::vector<char>& flags)
+{
+  return boost::make_iterator_property_map(flags.begin(), boost::typed_identity_property_map<std::size_t>());
+}
+
 template <typename Number>
 py::tuple unwrap_in(const Points& points, const Polygons& polygons, const Edges& seams, const Edges& features,
-                    const FFM::Unwrap_options& options, const program::Method_choice& choice, Watch& watch)
+                    const std::vector<char>& is_pinned, const Planar_points& images, const FFM::Unwrap_options& options,
+                    const program::Method_choice& choice, Watch& watch)
 {
   FFM::Unwrap_summary summary;
   std::vector<std::int64_t> charts;
@@ -139,7 +156,11 @@ py::tuple unwrap_in(const Points& points, const Polygons& polygons, const Edges&
     const auto run = [&] {
       if(!are_sides(polygons, seams, summary) || !are_sides(polygons, features, summary))
         return;
-      std::vector<std::vector<std::array<Number, 2>>> corners;
+      // Pinned faces have images already.
+      std::vector<std::vector<std::array<Number, 2>>> corners(images.size() > 0 ? polygons.size() : 0);
+      for(std::size_t p = 0, c = 0; p < corners.size(); ++p)
+        for(std::size_t k = 0; k < polygons[p].size(); ++k, ++c)
+          corners[p].push_back({{static_cast<Number>(images[c][0]), static_cast<Number>(images[c][1])}});
       charts.resize(polygons.size());
       FFM::Map_options map_options;
       set_limits(choice, map_options);
@@ -148,7 +169,9 @@ py::tuple unwrap_in(const Points& points, const Polygons& polygons, const Edges&
         parameters::edge_is_feature_map(program::Edge_set(features), CGAL::parameters::edge_is_constrained_map(program::Edge_set(seams)));
       summary = FFM::unwrap(
         points, polygons, corners,
-        parameters::unwrap_options(options, parameters::map_options(map_options, parameters::face_chart_map(charts.data(), edge_maps))));
+        parameters::unwrap_options(
+          options, parameters::map_options(map_options, parameters::face_is_pinned_map(
+                                                          by_number(is_pinned), parameters::face_chart_map(charts.data(), edge_maps)))));
       if(summary.is_valid())
         joined.join(polygons, points.size(), corners);
     };
@@ -159,7 +182,8 @@ py::tuple unwrap_in(const Points& points, const Polygons& polygons, const Edges&
 }
 
 template <typename Number>
-py::tuple pack_in(const Triangles& triangles, const Planar_points& images, const FFM::Packing_options& options)
+py::tuple pack_in(const Triangles& triangles, const Planar_points& images, const std::vector<char>& is_pinned,
+                  const FFM::Packing_options& options)
 {
   std::vector<std::array<Number, 2>> result;
   FFM::Packing_summary summary;
@@ -171,7 +195,8 @@ py::tuple pack_in(const Triangles& triangles, const Planar_points& images, const
       Surface surface;
       summary.status = surface.load(images, triangles, summary.message);
       if(summary.status == FFM::Status::success)
-        summary = FFM::pack_charts(surface, Vertex_images<Number>{&surface, &images, &result}, options);
+        summary = FFM::pack_charts(surface, Vertex_images<Number>{&surface, &images, &result}, options,
+                                   FFM::parameters::face_is_pinned_map(by_number(is_pinned)));
     };
     FFM::internal::catch_out_of_memory(run, summary);
   }
@@ -181,11 +206,14 @@ py::tuple pack_in(const Triangles& triangles, const Planar_points& images, const
 } // namespace
 
 py::tuple unwrap(const py::array& points, const py::array& values, const py::array& offsets, const py::array& seams,
-                 const py::array& features, const py::dict& given, bool is_single_precision, const py::object& progress)
+                 const py::array& features, const py::array& pinned, const py::array& images, const py::dict& given,
+                 bool is_single_precision, const py::object& progress)
 {
   const Points p(points, "points");
   const Polygons polygons(values, offsets);
   const Edges s(seams, "seams"), f(features, "features");
+  const std::vector<char> is_pinned = flags_of(Polygons::Numbers(pinned, "pinned"));
+  const Planar_points uv(images, "uv");
   FFM::Unwrap_options options;
   options.cut = cut_options(given);
   options.packing = packing_options(given);
@@ -201,16 +229,17 @@ py::tuple unwrap(const py::array& points, const py::array& values, const py::arr
   Watch watch(progress);
   options.observer = watch.observer<FFM::Unwrap_progress>();
   const program::Method_choice choice = method_choice(given);
-  return is_single_precision ? unwrap_in<float>(p, polygons, s, f, options, choice, watch)
-                             : unwrap_in<double>(p, polygons, s, f, options, choice, watch);
+  return is_single_precision ? unwrap_in<float>(p, polygons, s, f, is_pinned, uv, options, choice, watch)
+                             : unwrap_in<double>(p, polygons, s, f, is_pinned, uv, options, choice, watch);
 }
 
-py::tuple pack(const py::array& triangles, const py::array& uv, const py::dict& given, bool is_single_precision)
+py::tuple pack(const py::array& triangles, const py::array& uv, const py::array& pinned, const py::dict& given, bool is_single_precision)
 {
   const Triangles t(triangles, "faces");
   const Planar_points images(uv, "uv");
   const FFM::Packing_options options = packing_options(given);
-  return is_single_precision ? pack_in<float>(t, images, options) : pack_in<double>(t, images, options);
+  const std::vector<char> is_pinned = flags_of(Polygons::Numbers(pinned, "pinned"));
+  return is_single_precision ? pack_in<float>(t, images, is_pinned, options) : pack_in<double>(t, images, is_pinned, options);
 }
 
 py::tuple cut_to_disk(const py::array& points, const py::array& triangles, const py::array& seams, const py::dict& given)

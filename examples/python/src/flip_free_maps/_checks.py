@@ -147,6 +147,22 @@ def method(arguments):
     return given
 
 
+def flags(values, size, name):
+    """Flags of shape (size, 1), as integers, of an array of flags or of the numbers of those that are set."""
+    result = np.zeros((size, 1), dtype=np.int64)
+    if values is None:
+        return result
+    array = np.asarray(values)
+    if array.ndim != 1 or (array.dtype == bool and len(array) != size):
+        raise ValueError(f"{name} must be numbers of faces, or flags of the shape ({size},), not {_shape(array)}")
+    if array.dtype != bool:
+        array = _integers(array, name)
+        if array.size > 0 and (array.min() < 0 or array.max() >= size):
+            raise InvalidOption(f"{name} must be numbers of the {size} faces, from 0")
+    result[array] = 1
+    return result
+
+
 def chosen(arguments, *names):
     """Those of the named local variables of a function that are not None."""
     return {name: arguments[name] for name in names if arguments[name] is not None}

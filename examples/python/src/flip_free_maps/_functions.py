@@ -27,7 +27,8 @@ def _cut_options(arguments):
 def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pack=None, margin=None, resolution=None,
            padding=None, rotate=None, branches=None, target_energy=None, number_of_points=None, join_borders=None, cut_disks=None,
            feature_cost=None, crease_preference=None, max_stretch=None, seam_angle=None, crease_angle=None, max_length=None,
-           min_occupancy=None, strict=None, tolerance=None, max_iterations=None, time_limit=None, dtype=np.float64, progress=None):
+           min_occupancy=None, strict=None, pinned=None, uv=None, tolerance=None, max_iterations=None, time_limit=None,
+           dtype=np.float64, progress=None):
     """Makes a texture atlas of any mesh of polygons: cuts it open, flattens the pieces, packs them into the unit square.
 
     No polygon is flipped and no two polygons overlap, by exact predicates on the numbers that are returned.
@@ -74,6 +75,10 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
     strict : bool, default False
         Whether surfaces are refused that are no triangle meshes whose faces have an area and are joined by their indices to a
         manifold.
+    pinned : array
+        Faces that keep the images they have, as numbers or as one flag each. All others are packed around them.
+    uv : array
+        With `pinned`: an image for each corner of all faces, as `Unwrapping.corners` has them. Only those of pinned ones are read.
     tolerance, max_iterations
         When the flattening of a chart ends, see `parameterize`.
     time_limit : float
@@ -106,9 +111,15 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
     dtype = np.dtype(dtype)
     if dtype not in (np.float64, np.float32):
         raise TypeError(f"dtype must be float64 or float32, not {dtype}")
+    flags = _checks.flags(pinned, len(offsets) - 1, "pinned")
+    if flags.any() and uv is None:
+        raise TypeError("pinned faces need uv, the images of all corners")
+    images = np.zeros((0, 2)) if not flags.any() else _checks.numbers(np.asarray(uv).reshape(-1, 2), 2, "uv")
+    if len(images) not in (0, len(values)):
+        raise ValueError(f"uv must have an image for each of the {len(values)} corners, not {len(images)}")
     vertices, corners, uv, charts, account = _core.unwrap(p, values.reshape(-1, 1), offsets.reshape(-1, 1),
                                                           _checks.pairs(seams, "seams"), _checks.pairs(features, "features"),
-                                                          given, bool(dtype == np.float32), watched(progress))
+                                                          flags, images, given, bool(dtype == np.float32), watched(progress))
     summary = finished(account)
     result = (corners, offsets.copy()) if columns is None else corners.reshape(-1, columns)
     return Unwrapping(vertices, result, uv, charts, summary)
@@ -277,7 +288,7 @@ def is_bijective(faces, uv, *, explain=False):
     return (answer, message) if explain else answer
 
 
-def pack(faces, uv, *, margin=None, resolution=None, padding=None, rotate=None):
+def pack(faces, uv, *, pinned=None, margin=None, resolution=None, padding=None, rotate=None):
     """Moves the charts of an atlas into the unit square, apart from each other, all scaled alike.
 
     Parameters
@@ -286,6 +297,9 @@ def pack(faces, uv, *, margin=None, resolution=None, padding=None, rotate=None):
         Triangles, as indices into `uv`. Charts are the parts that are connected.
     uv : (k, 2) array
         Images without flips.
+    pinned : array
+        Faces, as numbers or as one flag each: their charts stay where they are, flipped or not, and all others are packed around
+        them.
     margin, resolution, padding, rotate
         As for `unwrap`.
 
@@ -296,7 +310,8 @@ def pack(faces, uv, *, margin=None, resolution=None, padding=None, rotate=None):
         is covered.
     """
     t = _checks.triangles(faces)
-    result, account = _core.pack(t, _checks.numbers(uv, 2, "uv"), _checks.chosen(locals(), *_PACKING), False)
+    flags = _checks.flags(pinned, len(t), "pinned")
+    result, account = _core.pack(t, _checks.numbers(uv, 2, "uv"), flags, _checks.chosen(locals(), *_PACKING), False)
     return Packing.of(result, t, finished(account))
 
 

@@ -230,7 +230,8 @@ class Atlas:
     def _pack(self, faces, images, given, texels):
         """Packs; the texture is as large as `texels` for each unit of length demand, if that is not 0."""
         for _ in range(8):
-            uv, account = _core.pack(faces, images, {name: given[name] for name in ("resolution", "padding", "rotate")}, True)
+            chosen = {name: given[name] for name in ("resolution", "padding", "rotate")}
+            uv, account = _core.pack(faces, images, np.zeros((len(faces), 1), np.int64), chosen, True)
             summary = finished(account)
             self._number_of_charts, self._utilization, self._width = summary.charts, summary.occupancy, given["resolution"]
             # Wider textures have narrower margins in parts of their side, so that this ends soon.
