@@ -457,6 +457,18 @@ class Test(unittest.TestCase):
             after = File.read(self.path(name))
             self.check_kept(one, after, 0)
             self.check_atlas(after.atlas())
+        # The first face's island stays, in the numbers of the file, and directly or by way of an OBJ.
+        with open(self.path("pins.txt"), "w") as pins:
+            pins.write("0\n")
+        for way in ([("one.glb", "pinned.glb")], [("one.glb", "pinned.obj"), ("pinned.obj", "pinned.glb")]):
+            for source, target in way:
+                self.run_program("unwrap", source, "-o", target, "--pinned", "pins.txt", "--json", "pinned.json")
+            after = File.read(self.path("pinned.glb")).atlas()
+            self.check_atlas(after)
+            with open(self.path("pinned.json")) as stream:
+                pinned = json.load(stream)["pinned_faces"]
+            self.assertTrue(0 < pinned < len(after))
+            self.assertEqual(sum(sorted(t) == sorted(u) for t, u in zip(after, one.atlas())), pinned)
         # Nothing is flipped: not a bit changes.
         self.run_program("repair", "one.glb", "-o", "four.glb")
         self.assertEqual(File.read(self.path("four.glb")).atlas(), one.atlas())

@@ -158,15 +158,16 @@ private:
       };
     m_request.options = options;
     set_limits(m_limits, m_request.traits.options);
+    const bool was_transposed = surface.is_transposed;
     m_request.is_single_precision = surface.is_transposed = is_gltf(m_output.path);
     Corner_images images;
     if(!m_pinned.empty()) {
       m_request.is_pinned = read_pinned_faces(m_pinned, surface, make_atlas(surface, surface.images));
       images = surface.images;
-      if(surface.is_transposed)
-        for(auto& polygon : images)
-          for(Image& image : polygon)
-            image = {1 - image[1], image[0]};
+      for(auto& polygon : images)
+        for(Image& image : polygon)
+          if(was_transposed != surface.is_transposed)
+            image = was_transposed ? Image{image[1], 1 - image[0]} : Image{1 - image[1], image[0]};
     }
     summary = unwrap_surface(m_request, surface, seams, images);
     progress.finish();
