@@ -164,7 +164,14 @@ struct Settings
   double tolerance = 1e-6;
   double seconds = 60;
   std::string start = "circle";
+  bool begins_with_largest_step = false;
 };
+
+// In results and traces.
+std::string name_of(const Settings& settings, const std::string& method)
+{
+  return settings.begins_with_largest_step ? method + " from the largest step" : method;
+}
 
 FFM::Any_map_traits make_traits(const Settings& settings, const std::string& method)
 {
@@ -177,6 +184,8 @@ FFM::Any_map_traits make_traits(const Settings& settings, const std::string& met
   }
   options.max_seconds = settings.seconds;
   options.max_iterations = (std::numeric_limits<int>::max)();
+  if(settings.begins_with_largest_step)
+    options.begin_with_largest_step = options.extend_steps = true;
   const std::map<std::string, int> corners = {{"triangle", 3}, {"square", 4}, {"octagon", 8}};
   const auto found = corners.find(settings.start);
   if(found == corners.end())
@@ -207,12 +216,13 @@ void run_all(Mesh& mesh, const std::string& name, const Settings& settings, Tabl
     auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
     const FFM::Summary summary = FFM::parameterize(mesh, border, uv, traits);
     mesh.remove_property_map(uv);
-    std::cerr << name << ' ' << method << ": " << FFM::status_name(summary.status) << ", " << summary.iterations << " iterations, "
+    const std::string shown = name_of(settings, method);
+    std::cerr << name << ' ' << shown << ": " << FFM::status_name(summary.status) << ", " << summary.iterations << " iterations, "
               << summary.factorizations << " factorizations, energy " << summary.energy << ", " << summary.seconds.total << " s\n";
-    results.add_row(result_row(name, method, summary, trace));
+    results.add_row(result_row(name, shown, summary, trace));
     for(const Trace_point& p : trace)
       traces.add_row(
-        {name, method, std::to_string(p.iteration), std::to_string(p.factorizations), format(p.seconds, 5), format(p.energy, 13)});
+        {name, shown, std::to_string(p.iteration), std::to_string(p.factorizations), format(p.seconds, 5), format(p.energy, 13)});
   }
   compare_with_best(results, first_result, traces, first_point);
 }
@@ -252,6 +262,8 @@ int main(int argc, char** argv)
   app.add_option("--start", settings.start, "shape of the border of the start")
     ->check(CLI::IsMember({"circle", "triangle", "square", "octagon"}))
     ->capture_default_str();
+  app.add_flag("--largest-step", settings.begins_with_largest_step,
+               "line searches begin with the longest step without flips, and go beyond it, whatever the method says");
   app.add_option("--csv", csv, "results; iteration by iteration in the file with _traces.csv at its end")->capture_default_str();
   app.add_option("--threads", threads, "0: as many as there are")->capture_default_str();
   app.add_option("--from", earlier, "CSV files of earlier runs: nothing is run, their results are put together");
