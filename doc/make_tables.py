@@ -18,7 +18,8 @@ usage: make_tables.py KIND FILE...
   methods METHODS.csv...         of benchmark/quality/run_methods on the meshes of
                                  benchmark/data/progressive_parameterizations_measured.csv: `default` by the characteristic gradient,
                                  other methods by the decrease of the energy, `pp` also with --largest-step
-  killing METHODS.csv            of the same, `akvf` on the meshes of benchmark/data/claici_2017_measured.csv
+  killing METHODS.csv...         of the same, `akvf` on the meshes of benchmark/data/claici_2017_measured.csv, by the characteristic
+                                 gradient to 1e-6, also with --backtracking 0.5
   bar bar_experiments.csv        of benchmark/quality/bar_experiments
   areas area_distortion.csv      of benchmark/quality/area_distortion
   solids NAME=ladder.csv...      of benchmark/performance/volume_ladder, for each linear solver
@@ -171,18 +172,21 @@ def bijective(program, meshes):
 
 def splitting(program, mesh):
     published, _ = read(os.path.join(PUBLISHED, "stein_2022_measured.csv"))
-    theirs = next(row for row in published if row["mesh"] == os.path.splitext(os.path.basename(mesh))[0])
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        for method in ("splitting", "splitting+"):
-            trace = os.path.join(folder, "trace.csv")
-            summary = run(program, "parameterize", mesh, folder, "--method", method, "--trace", trace, "--max-iterations", "20000")
-            points, _ = read(trace)
-            passed = next((row["iteration"] for row in points if float(row["energy"]) <= float(theirs["energy"])), "-")
-            rows.append([f"`{method}`", summary["iterations"], f"{summary['energy']:.4f}", passed])
-    rows.append(["authors' program", theirs["iterations"], f"{float(theirs['energy']):.4f}", theirs["iterations"]])
-    write("splitting", ["Method", "Iterations", "Mean energy", f"Iteration that passes {theirs['energy']}"], rows,
-          [f"The symmetric gradient of {name_of(mesh)}, {thousands(theirs['faces'])} triangles, from a Tutte embedding.", measured()])
+        for theirs in published:
+            assert theirs["mesh"] == os.path.splitext(os.path.basename(mesh))[0]
+            name, end = theirs["energy_name"], float(theirs["energy"])
+            for method in ("splitting", "splitting+"):
+                trace = os.path.join(folder, "trace.csv")
+                summary = run(program, "parameterize", mesh, folder, "--method", method, "--energy", name, "--trace", trace,
+                              "--max-iterations", "20000")
+                points, _ = read(trace)
+                passed = next((point["iteration"] for point in points if float(point["energy"]) <= end), "-")
+                rows.append([name.replace("-", " "), f"`{method}`", summary["iterations"], f"{summary['energy']:.4f}", passed])
+            rows.append([name.replace("-", " "), "authors' program", theirs["iterations"], f"{end:.4f}", theirs["iterations"]])
+    write("splitting", ["Energy", "Method", "Iterations", "Mean energy", "Iteration that passes the authors' end"], rows,
+          [f"{name_of(mesh).capitalize()}, {thousands(published[0]['faces'])} triangles, from a Tutte embedding.", measured()])
 
 
 SETS = {"d1": "D1, well cut ones", "d2": "D2, cut to far points", "d3": "D3, cut to many points", "d3p": "D3 with badly shaped cuts"}
@@ -217,7 +221,7 @@ def methods(paths):
                         [cell([theirs[mesh] for mesh in names])])
     rows.append([f"all {len(both)}, in the median over the authors' program", ""] +
                 [f"{statistics.median([count[mesh, method] / theirs[mesh] for mesh in both]):.2f}" for method in columns[1:]] + ["1"])
-    left_out = [f"{name_of(mesh)}, on which it fails ({', '.join(f'`{method}` {count[mesh, method]}' for method in columns)})"
+    left_out = [f"{name_of(mesh)}, on which the authors' program fails ({', '.join(f'`{method}` {count[mesh, method]}' for method in columns)})"
                 for mesh in meshes if mesh not in theirs]
     remarks = [f"Measured with: {comments[0] if comments else processor()}; {datetime.date.today()}."]
     if left_out:
@@ -236,33 +240,41 @@ def methods(paths):
     iterations = [int(runs[mesh, "default"]["iterations"]) for mesh in meshes if mesh.startswith("d1_")]
     if iterations:
         remarks.append(f"`default` takes {min(iterations)} to {max(iterations)} iterations on D1.")
-    write("methods", ["Surfaces", "`default`", "`pp`", "`pp`, from the largest step", "`pp+`", "authors' program"], rows, remarks)
+    write("methods", ["Surfaces, and their number", "`default`", "`pp`", "`pp`, from the largest step", "`pp+`", "authors' program"], rows, remarks)
 
 
-def killing(path):
-    runs, comments = by_mesh_and_method([path])
+def killing(paths):
+    runs, comments = by_mesh_and_method(paths)
     published, _ = read(os.path.join(PUBLISHED, "claici_2017_measured.csv"))
-    columns = [("eta", "to_1_percent"), ("to_0.1_percent", "to_0.1_percent"), ("to_1e-5", "to_1e-5")]
+    ours, theirs = ("eta", "to_0.1_percent", "to_1e-5"), ("to_1_percent", "to_0.1_percent", "to_1e-5")
+    names = {"akvf": "`akvf`", "akvf with factor 0.5": "`akvf`, by halves", "akvf+": "`akvf+`"}
     rows = []
-    for theirs in published:
-        ours = runs[theirs["mesh"], "akvf"]
-        rows.append([name_of(theirs["mesh"]), thousands(ours["faces"])] + [f"{float(ours[o]):.0f} / {theirs[t]}" for o, t in columns] +
-                    [f"{float(ours['energy']):.6f} / {theirs['energy']}"])
-    write("killing", ["Surface", "Triangles", "to 1 %", "to 0.1 %", "to 10<sup>-5</sup>", "energy"], rows,
-          [f"`akvf` / the authors' program. Measured with: {comments[0] if comments else processor()}; {datetime.date.today()}."])
+    for mesh in published:
+        rows.append([name_of(mesh["mesh"]), thousands(mesh["faces"])] +
+                    [" / ".join(f"{float(runs[mesh['mesh'], method][column]):.0f}" for column in ours) for method in names] +
+                    [" / ".join(mesh[column] for column in theirs)])
+    energies = [abs(float(runs[mesh["mesh"], "akvf"]["energy"]) - float(mesh["energy"])) for mesh in published]
+    write("killing", ["Surface", "Triangles", *names.values(), "authors' program"], rows,
+          [f"The last energies differ from those of the authors' program by {max(energies):.0e} at most.",
+           f"Measured with: {comments[0] if comments else processor()}; {datetime.date.today()}."])
 
 
 def bar(path):
     table, comments = read(path)
-    methods_shown = ["cm", "vertex-space-newton", "projected-newton", "slim", "aqp"]
+    shown = ["cm", "vertex-space-newton", "projected-newton", "slim", "aqp"]
+    said = {}
+    for line in comments:
+        match = re.match(r"(.*), armijo: .*to 1e-6 ([^,;]*).*time to 1e-9 (\S+) \(paper: (.*)\)", line)
+        if match:
+            said[match.group(1)] = list(match.groups()[1:])
     rows = []
-    for experiment in dict.fromkeys(row["experiment"] for row in table):
-        for end in ("1e-3", "1e-6", "1e-9"):
-            cells = {row["method"]: row[f"iterations_to_{end}"] for row in table if row["experiment"] == experiment and row["steps"] == "armijo"}
-            rows.append([experiment, f"10<sup>{end[2:]}</sup>"] + ["-" if cells[m] == "-1" else cells[m] for m in methods_shown])
-    said = [line for line in comments if "(paper:" in line and "armijo" in line]
-    write("bar", ["Experiment", "to"] + [f"`{m}`" for m in methods_shown], rows,
-          ["; ".join(line.replace(", armijo", "") for line in said) + ".", f"Measured with: {comments[0]}; {datetime.date.today()}."])
+    for experiment, figures in said.items():
+        runs = {row["method"]: row for row in table if row["experiment"] == experiment and row["steps"] == "armijo"}
+        cells = [" / ".join(runs[m][f"iterations_to_{end}"].replace("-1", "-") for end in ("1e-3", "1e-6", "1e-9")) for m in shown]
+        rows.append([experiment] + cells + figures)
+    write("bar", ["Experiment"] + [f"`{m}`" for m in shown] + ["`vertex-space-newton` over `cm`: iterations to 10<sup>-6</sup>",
+                                                               "time to 10<sup>-9</sup>", "in the paper"],
+          rows, [f"Measured with: {comments[0]}; {datetime.date.today()}."])
 
 
 def areas(path):
@@ -305,7 +317,7 @@ def ranks(program, mesh, handles):
             def figure(name):
                 return re.search(r"\b" + name + r" ([-+.e0-9]+)", said).group(1)
 
-            rows.append([thousands(figure("tetrahedra")), number, figure("energy"), figure("iterations"), figure("inner iterations"),
+            rows.append([thousands(figure("tetrahedra")), number, figure("energy"), figure("iterations"), figure("iterations of conjugate gradients"),
                          thousands(float(figure("peak memory of the largest"))) + " MB", digits(figure("total"), 3)])
     write("ranks", ["Tetrahedra", "Ranks", "Energy", "Iterations", "Iterations of conjugate gradients", "Memory of the largest rank", "Seconds"],
           rows, [f"Measured on {os.cpu_count()} cores, {processor()}, {datetime.date.today()}."])
@@ -315,7 +327,7 @@ def main():
     kinds = {"atlases": lambda files: atlases(files[0], files[1:]), "cuts": lambda files: cuts(files[0], files[1:]),
              "bijective": lambda files: bijective(files[0], files[1:]), "splitting": lambda files: splitting(*files),
              "sizes": lambda files: sizes(files[0]), "cgal": lambda files: cgal(files[0]), "methods": methods,
-             "killing": lambda files: killing(files[0]), "bar": lambda files: bar(files[0]), "areas": lambda files: areas(files[0]),
+             "killing": killing, "bar": lambda files: bar(files[0]), "areas": lambda files: areas(files[0]),
              "solids": solids, "ranks": lambda files: ranks(*files)}
     if len(sys.argv) < 3 or sys.argv[1] not in kinds:
         sys.exit(__doc__)

@@ -165,12 +165,14 @@ struct Settings
   double seconds = 60;
   std::string start = "circle";
   bool begins_with_largest_step = false;
+  double backtracking = 0;
 };
 
 // In results and traces.
 std::string name_of(const Settings& settings, const std::string& method)
 {
-  return settings.begins_with_largest_step ? method + " from the largest step" : method;
+  return method + (settings.begins_with_largest_step ? " from the largest step" : "") +
+         (settings.backtracking > 0 ? " with factor " + format(settings.backtracking) : "");
 }
 
 FFM::Any_map_traits make_traits(const Settings& settings, const std::string& method)
@@ -186,6 +188,8 @@ FFM::Any_map_traits make_traits(const Settings& settings, const std::string& met
   options.max_iterations = (std::numeric_limits<int>::max)();
   if(settings.begins_with_largest_step)
     options.begin_with_largest_step = options.extend_steps = true;
+  if(settings.backtracking > 0)
+    options.backtracking = settings.backtracking;
   const std::map<std::string, int> corners = {{"triangle", 3}, {"square", 4}, {"octagon", 8}};
   const auto found = corners.find(settings.start);
   if(found == corners.end())
@@ -264,6 +268,7 @@ int main(int argc, char** argv)
     ->capture_default_str();
   app.add_flag("--largest-step", settings.begins_with_largest_step,
                "line searches begin with the longest step without flips, and go beyond it, whatever the method says");
+  app.add_option("--backtracking", settings.backtracking, "the factor of line searches, in place of the method's");
   app.add_option("--csv", csv, "results; iteration by iteration in the file with _traces.csv at its end")->capture_default_str();
   app.add_option("--threads", threads, "0: as many as there are")->capture_default_str();
   app.add_option("--from", earlier, "CSV files of earlier runs: nothing is run, their results are put together");

@@ -134,7 +134,8 @@ int run(int argc, char* argv[])
     const FFM::Summary summary = arguments.command == "deform" ? deform(arguments, world) : parameterize(arguments, world);
     const double memory = -world.minimum(-summary.peak_memory_mb);
     if(world.rank() == 0)
-      std::cout << summary << "  ranks " << world.size() << ", peak memory of the largest " << memory << " MiB" << std::endl;
+      std::cout << summary << "  ranks " << world.size() << ", iterations of conjugate gradients " << summary.inner_iterations
+                << ", peak memory of the largest " << memory << " MiB" << std::endl;
     return summary.is_valid() ? 0 : 1;
   } catch(const std::exception& failure) {
     // A file is missing for all ranks, or the others say that one has failed.

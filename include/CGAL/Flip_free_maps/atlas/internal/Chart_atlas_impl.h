@@ -200,19 +200,22 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Chart_atlas::Join> Chart_atlas::next_join
     double perimeter;
     const std::vector<Chart_contact> contacts = chart_contacts(
       m_surface, m_charts[c].faces, chart_of, [this](std::int32_t h) { return !m_is_given[h]; }, perimeter);
-    const std::size_t k = static_cast<std::size_t>(trials[c]);
-    if(k >= contacts.size() || contacts[k].length < LEAST_CONTACT * perimeter) {
-      trials[c] = MOST_TRIALS;
-      continue;
+    while(trials[c] < MOST_TRIALS) {
+      const std::size_t k = static_cast<std::size_t>(trials[c]);
+      if(k >= contacts.size() || contacts[k].length < LEAST_CONTACT * perimeter) {
+        trials[c] = MOST_TRIALS;
+        break;
+      }
+      const std::size_t neighbor = static_cast<std::size_t>(contacts[k].neighbor);
+      if(is_busy[neighbor])
+        break; // in a later round
+      ++trials[c];
+      if(m_charts[neighbor].faces.size() <= FEW_FACES && m_summary.charts[c].area <= MOST_OF_NEIGHBOR * m_summary.charts[neighbor].area) {
+        is_busy[c] = is_busy[neighbor] = 1;
+        joins.push_back({c, neighbor, contacts[k].halfedges, {}});
+        break;
+      }
     }
-    const std::size_t neighbor = static_cast<std::size_t>(contacts[k].neighbor);
-    if(is_busy[neighbor])
-      continue; // in a later round
-    ++trials[c];
-    if(m_charts[neighbor].faces.size() > FEW_FACES || m_summary.charts[c].area > MOST_OF_NEIGHBOR * m_summary.charts[neighbor].area)
-      continue;
-    is_busy[c] = is_busy[neighbor] = 1;
-    joins.push_back({c, neighbor, contacts[k].halfedges, {}});
   }
   return joins;
 }
