@@ -10,8 +10,8 @@
 
 #include <CGAL/Flip_free_maps/atlas/internal/Cell_figure.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Packing_obstacles.h>
-#include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
+#include <CGAL/Flip_free_maps/measure/internal/Border_curves.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/box_intersection_d.h>
