@@ -213,7 +213,7 @@ auto edge_is_seam_map(const EdgeIsSeamMap& map, const Base& base = Base())
 /// - Faces without area are counted and named, see `Unwrap_summary::faces_without_area`. Those with corners at less than three
 ///   places get the images of these places, all others thin ones that are as valid as any.
 ///
-/// With `Unwrap_options::strict` all these are refused.
+/// With `Unwrap_options::strict` all these are refused; but beside pinned faces several sheets may meet at a vertex.
 ///
 /// \tparam FaceGraph must be a model of `FaceListGraph` whose vertex descriptors are `Hashable`
 /// \tparam HalfedgeUVMap must be a model of `WritablePropertyMap` with halfedge descriptors as keys and planar points as values; with
