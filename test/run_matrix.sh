@@ -46,7 +46,7 @@ unpacked_cgal_6()
 describe()
 {
   options=()
-  targets=(test_all_headers flip_free_maps IO_tests core_tests report_tests)
+  targets=(test_door_headers test_room_headers flip_free_maps IO_tests core_tests report_tests)
   tests='^(IO|core|report)/'
   unity=ON
   missing=
@@ -107,10 +107,10 @@ for row in "${rows[@]}"; do
   # Nothing but the tests runs, and these have options of their own.
   if cmake -S "$root" -B "$folder" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DFLIP_FREE_MAPS_UNITY_BUILD=$unity \
            "${options[@]}" > "$log" 2>&1; then
-    [[ -z "$headers_only" ]] || targets=(test_all_headers)
+    [[ -z "$headers_only" ]] || targets=(test_door_headers test_room_headers)
     for target in "${targets[@]}"; do
       case "$target" in
-        test_all_headers) column=headers ;;
+        test_headers) column=headers ;;
         flip_free_maps) column=program ;;
         *) column=others ;;
       esac

@@ -357,7 +357,17 @@ BOOST_AUTO_TEST_CASE(pins_that_cannot_be)
   const FFM::Unwrap_summary done = FFM::unwrap(cube_points, cube_faces, images, FFM::parameters::face_is_pinned_map(all));
   BOOST_TEST(done.status == Status::success);
   BOOST_TEST(done.pinned_faces == 6);
+  BOOST_TEST(done.flips == 0);
+  BOOST_TEST(done.energy == 1);
+  BOOST_TEST(done.scale == 1);
+  BOOST_TEST(done.charts.empty());
+  BOOST_TEST(done.seconds > 0);
   BOOST_TEST((images == before));
+  FFM::Unwrap_options impossible;
+  impossible.max_distortion = 0.5;
+  BOOST_TEST(
+    (FFM::unwrap(cube_points, cube_faces, images, FFM::parameters::unwrap_options(impossible, FFM::parameters::face_is_pinned_map(all)))
+       .status == Status::invalid_option));
   // No room.
   BOOST_TEST((FFM::unwrap(cube_points, cube_faces, images, FFM::parameters::face_is_pinned_map(first)).status == Status::invalid_option));
   BOOST_TEST((images == before));

@@ -25,6 +25,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <type_traits>
 #include <unordered_map>

@@ -24,6 +24,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <tuple>

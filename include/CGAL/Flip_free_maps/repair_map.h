@@ -31,6 +31,7 @@
 #include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 
+#include <CGAL/Default.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>

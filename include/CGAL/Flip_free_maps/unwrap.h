@@ -372,8 +372,8 @@ Unwrap_summary unwrap(const FaceGraph& mesh, HalfedgeUVMap uv_map, const CGAL::N
 ///   polygons must have their images there before
 /// \param np optional named parameters: `map_traits`, `map_options` and `unwrap_options`; `edge_is_constrained_map`,
 ///   `edge_is_feature_map` and `edge_is_seam_map`, whose keys are pairs `std::pair<std::size_t, std::size_t>` of indices, the smaller
-///   one first; and `face_is_pinned_map` and `face_chart_map`, whose keys are the numbers of polygons. An edge is a seam if faces that meet there, by their
-///   indices or their places, give different images to it.
+///   one first; and `face_is_pinned_map` and `face_chart_map`, whose keys are the numbers of polygons. An edge is a seam if faces
+///   that meet there, by their indices or their places, give different images to it.
 /// \returns as above; also `invalid_option` for an index out of range
 template <typename PointRange, typename PolygonRange, typename CornerRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters,

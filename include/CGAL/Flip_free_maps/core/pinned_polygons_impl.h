@@ -13,6 +13,7 @@
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>

@@ -43,21 +43,29 @@ void unwrap_polygons_as(const Rounding& rounded, const Atlas_request& request, c
   summary.pinned_faces = std::count(is_pinned.begin(), is_pinned.end(), 1);
   const Packing_obstacles obstacles = pinned_obstacles(request);
   Surface_view view;
-  if(summary.pinned_faces > 0 && summary.pinned_faces == summary.faces) {
-    result.charts.assign(soup.number_of_polygons(), -1);
-    result.images.resize(soup.number_of_corners());
-    result.seams.resize(soup.number_of_corners());
-    keep_pinned_polygons(request, result);
-    summary.status = Status::success;
-    summary.message = "all faces are pinned";
-    summary.occupancy = obstacles.area();
-    return;
-  }
-  summary.status = view.load(soup, options.strict, summary.message, is_pinned);
+  const bool is_any_free = summary.pinned_faces == 0 || summary.pinned_faces < summary.faces;
+  if(is_any_free)
+    summary.status = view.load(soup, options.strict, summary.message, is_pinned);
   if(summary.status != Status::success)
     return;
   const Linked_triangles& triangles = view.triangles();
   Chart_atlas_by_traits<Traits> atlas(triangles, begin, traits, options, summary);
+  if(!is_any_free) {
+    if(!atlas.has_valid_options())
+      return;
+    result.charts.assign(soup.number_of_polygons(), -1);
+    result.images.resize(soup.number_of_corners());
+    result.seams.resize(soup.number_of_corners());
+    keep_pinned_polygons(request, result);
+    summary.message = "all faces are pinned";
+    // Of nothing that is mapped.
+    summary.flips = summary.seam_edges = 0;
+    summary.energy = summary.scale = 1;
+    summary.seam_length = 0;
+    summary.occupancy = obstacles.area();
+    summary.seconds = wall_seconds() - begin;
+    return;
+  }
   atlas.avoid(obstacles);
   for(const std::int32_t side : request.seams)
     if(view.halfedge_of_side(side) >= 0)

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/linear_solvers/Block_sparse_matrix.h>
 #include <CGAL/Flip_free_maps/linear_solvers/internal/linear_solver_traits.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>

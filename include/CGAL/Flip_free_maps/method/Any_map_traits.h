@@ -141,6 +141,8 @@ private:
 
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
 #include <CGAL/Flip_free_maps/method/Any_map_traits_impl.h>
+
+#include <CGAL/Default.h>
 #endif
 
 #endif // CGAL_FLIP_FREE_MAPS_METHOD_ANY_MAP_TRAITS_H

@@ -10,6 +10,8 @@
 
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 
+#include <cstdint>
+
 namespace CGAL {
 namespace Flip_free_maps {
 

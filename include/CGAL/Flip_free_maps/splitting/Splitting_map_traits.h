@@ -16,6 +16,8 @@
 #include <CGAL/Flip_free_maps/splitting/Splitting_minimizer.h>
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 
+#include <CGAL/Default.h>
+
 #include <algorithm>
 
 namespace CGAL {

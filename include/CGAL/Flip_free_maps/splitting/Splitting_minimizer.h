@@ -29,6 +29,8 @@
 #include <CGAL/Flip_free_maps/splitting/Splitting_options.h>
 #include <CGAL/Flip_free_maps/splitting/internal/Position_solver.h>
 
+#include <CGAL/Default.h>
+
 #include <boost/concept_check.hpp>
 
 #include <cmath>

@@ -37,6 +37,9 @@ public:
   // Packs charts around these.
   void avoid(const Packing_obstacles& obstacles) { m_obstacles = obstacles; }
 
+  // Otherwise the summary says what is wrong.
+  bool has_valid_options();
+
   // Cuts, flattens, packs, and tests the atlas in the numbers of the result.
   bool run(const Rounding& rounded);
 

@@ -18,6 +18,7 @@
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,13 +33,19 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::has_valid_options()
+{
+  if(m_options.is_valid(&m_summary.message) && has_valid_method(m_summary.message))
+    return true;
+  m_summary.status = Status::invalid_option;
+  return false;
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::run(const Rounding& rounded)
 {
   m_rounded = rounded;
-  if(!m_options.is_valid(&m_summary.message) || !has_valid_method(m_summary.message)) {
-    m_summary.status = Status::invalid_option;
+  if(!has_valid_options())
     return false;
-  }
   m_area = m_surface.area();
   std::vector<std::int32_t> all(m_surface.triangles.size());
   std::iota(all.begin(), all.end(), 0);

@@ -15,6 +15,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <queue>

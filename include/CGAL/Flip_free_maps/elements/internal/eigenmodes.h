@@ -10,6 +10,8 @@
 
 #include <CGAL/Flip_free_maps/elements/Increment_form.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {

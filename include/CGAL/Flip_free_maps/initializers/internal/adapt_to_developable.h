@@ -18,6 +18,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {

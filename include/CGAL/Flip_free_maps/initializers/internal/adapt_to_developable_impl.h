@@ -12,6 +12,7 @@
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {

@@ -11,6 +11,8 @@
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/measure/internal/Border_curves.h>
 
+#include <CGAL/Bbox_2.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -11,6 +11,8 @@
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/tetrahedralization/internal/Closed_surface.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
