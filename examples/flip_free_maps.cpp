@@ -9,6 +9,7 @@
 
 #include "program/commands.h"
 #include "program/interruption.h"
+#include "program/large_pages.h"
 #include "program/outputs.h"
 #include "program/report.h"
 
@@ -16,6 +17,7 @@
 
 int main(int argc, char** argv)
 {
+  program::want_large_pages(argc, argv);
   CLI::App app("Low-distortion maps of meshes in which no element is flipped.");
   app.require_subcommand(1);
   app.footer(program::exit_codes_text());

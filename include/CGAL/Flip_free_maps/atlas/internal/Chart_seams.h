@@ -83,6 +83,9 @@ private:
   // Whether the surface turns by at least an angle across the edge of a halfedge, which has two triangles.
   bool turns_by(std::int32_t h, double angle) const;
 
+  // Cuts a piece whose map is valid where it is too distorted or too long.
+  void improve(Piece& piece, Flat_piece& flat);
+
   static void give_up(Flat_piece& flat, Status status, const std::string& message);
 
   // Cuts a piece by more seams where less distortion is expected of them, and tells whether it found any, or failed.

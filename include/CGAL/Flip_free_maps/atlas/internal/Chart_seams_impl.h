@@ -100,8 +100,27 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_seams::decide(Piece& piece, Flat_piece& fl
     piece.is_part = m_options.is_bounded() && excess(chart) < (piece.faces.size() > FEW_FACES ? WORST_EXCESS : 1);
     return split(piece, flat, overlaps(piece, open, flat.x), &Unwrap_summary::splits_of_overlaps);
   }
+  bool is_interrupted = false;
+  try {
+    const Improving_work work;
+    improve(piece, flat);
+    is_interrupted = flat.failure == Status::interrupted;
+  } catch(const Interruption&) {
+    is_interrupted = true;
+  }
+  if(is_interrupted) {
+    flat.is_cut = false;
+    flat.seams.clear();
+    flat.failure = Status::success;
+    chart.status = deadline_status();
+    chart.message = "as it was when the time was up";
+  }
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_seams::improve(Piece& piece, Flat_piece& flat)
+{
   // Without time for flattening a part is as distorted as the whole.
-  if(is_too_distorted(chart) && can_be_split(piece) && !is_late()) {
+  if(is_too_distorted(flat.chart) && can_be_split(piece) && !is_late()) {
     if(cut_for_less_distortion(piece, flat))
       return;
     piece.is_part = false;
