@@ -11,7 +11,7 @@
 namespace program {
 
 // If an argument is a large file, starts the program once more with large pages for large arrays, where the system gives them to those
-// who ask: fetching small pages one by one takes up to a fifth of the time. The C library reads this setting only at the start of a
+// who ask: fetching small pages one by one takes its time. The C library reads this setting only at the start of a
 // program. Does nothing where it cannot be had, and where the variable GLIBC_TUNABLES is set.
 void want_large_pages(int argc, char** argv);
 

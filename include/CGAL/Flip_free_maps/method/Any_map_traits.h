@@ -22,6 +22,8 @@
 #include <CGAL/Flip_free_maps/references/Progressive_reference.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 
+#include <CGAL/Default.h>
+
 #include <functional>
 #include <limits>
 #include <string>
@@ -141,8 +143,6 @@ private:
 
 #ifndef CGAL_FLIP_FREE_MAPS_USE_CORE
 #include <CGAL/Flip_free_maps/method/Any_map_traits_impl.h>
-
-#include <CGAL/Default.h>
 #endif
 
 #endif // CGAL_FLIP_FREE_MAPS_METHOD_ANY_MAP_TRAITS_H
