@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -206,6 +207,45 @@ BOOST_AUTO_TEST_CASE(atlases)
       BOOST_TEST(summary.energy < 2);
     static_cast<void>(status);
   });
+}
+
+// Once there is an atlas, be it one that is to be cut again, a run that has more time does not end with less.
+BOOST_AUTO_TEST_CASE(atlases_that_are_cut_again)
+{
+  const Surface surface = sheet(40, 0.12);
+  std::vector<std::array<Pair, 3>> uv;
+  FFM::Unwrap_summary summary;
+  const auto run = [&] {
+    summary = FFM::unwrap(surface.points, surface.triangles, uv);
+    return summary.status;
+  };
+  const int questions = number_of_questions(run);
+  BOOST_TEST_REQUIRE(summary.status == Status::success);
+  const double energy = summary.energy;
+  bool has_atlas = false, is_seen = false;
+  for(int i = 0; i < 64; ++i) {
+    const int last = static_cast<int>(static_cast<std::int64_t>(questions) * i / 64);
+    std::atomic<int> asked{0};
+    const FFM::Deadline deadline(
+      infinity, [&] { return asked++ >= last; }, 0);
+    run();
+    BOOST_TEST_CONTEXT("cancelled at question " << last << " of " << questions << ": " << summary.message)
+    {
+      BOOST_TEST((summary.is_valid() || !has_atlas));
+      has_atlas = has_atlas || summary.is_valid();
+      if(summary.is_valid()) {
+        BOOST_TEST(summary.flips == 0);
+        BOOST_TEST(summary.energy >= 1);
+      }
+      for(const FFM::Chart_summary& chart : summary.charts)
+        if(chart.message.find("before it was cut again") != std::string::npos) {
+          is_seen = true;
+          BOOST_TEST(chart.energy > energy);
+          BOOST_TEST((chart.status == Status::stopped_by_observer));
+        }
+    }
+  }
+  BOOST_TEST(is_seen);
 }
 
 BOOST_AUTO_TEST_CASE(cutting_and_packing)

@@ -37,6 +37,9 @@ struct Cut_options
   /// `Branches::farthest_points`: the points of each piece, at least 2. Otherwise the most points of each piece, 0 for no limit;
   /// spheres get two at least.
   int number_of_points = 0;
+  /// `Branches::extremities`: how many times the places that would be distorted most are sought, and reached; 0 for as often as it
+  /// takes. The energy that is expected is above the true one where the distortion is small, and may grow before it falls.
+  int max_rounds = 0;
   /// Whether all borders of a component are joined by seams, so that the pieces are disks.
   /// Otherwise the pieces are disks with holes.
   bool join_borders = true;
@@ -55,6 +58,8 @@ struct Cut_options
       return internal::fail(message, "target_energy must be above 1");
     if(number_of_points < 0)
       return internal::fail(message, "number_of_points must not be negative");
+    if(max_rounds < 0)
+      return internal::fail(message, "max_rounds must not be negative");
     if(branches == Branches::farthest_points && number_of_points < 2)
       return internal::fail(message, "number_of_points must be at least 2 for farthest points");
     if(!(feature_cost > 0 && feature_cost <= 1))

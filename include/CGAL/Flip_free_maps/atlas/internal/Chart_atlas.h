@@ -129,7 +129,6 @@ private:
   static constexpr double WORST_ENERGY = 2;
 
   Rounding m_rounded;
-  std::vector<char> m_is_given; // by halfedge, the seams that were asked for
 };
 
 } // namespace internal

@@ -51,6 +51,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::run(const Rounding& rounded)
   std::iota(all.begin(), all.end(), 0);
   m_faces = number_of_polygons(all);
   m_image.assign(all.size(), Image::Constant(std::numeric_limits<double>::quiet_NaN()));
+  m_chart_image = m_image;
   const std::vector<std::int32_t> others = keep_what_needs_no_seam(all);
   cut_open(others);
   if(!m_summary.cut.is_valid())
@@ -162,8 +163,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_atlas::cut_open(const std::vector<std::int
 CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::process_some()
 {
   std::vector<std::pair<Piece, Flat_piece>> pieces = work_on_some<Flat_piece>(m_queue, [this](Piece& piece, Flat_piece& flat) {
-    flatten(piece, flat);
-    decide(piece, flat);
+    flatten_and_decide(piece, flat);
     count_ahead(flat);
   });
   for(auto& [piece, flat] : pieces) {

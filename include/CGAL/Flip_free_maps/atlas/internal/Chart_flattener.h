@@ -47,6 +47,9 @@ protected:
   // Gives a piece a map if it can have one, without overlaps if they are easily removed.
   void flatten(const Piece& piece, Flat_piece& flat);
 
+  // The same, and decides what becomes of the piece. When the time is up what was a chart before is one again.
+  void flatten_and_decide(Piece& piece, Flat_piece& flat);
+
   // Flattens a piece with its holes where joining the borders by seams gains nothing: where it is nearly flat. It has no map else.
   void keep_holes(const Piece& piece, Flat_piece& flat);
 

@@ -83,6 +83,33 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::flatten(const Piece& piece, Fla
   chart.seconds = wall_seconds() - begin;
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::flatten_and_decide(Piece& piece, Flat_piece& flat)
+{
+  if(!was_chart(piece)) {
+    flatten(piece, flat);
+    return decide(piece, flat);
+  }
+  Status status = deadline_status();
+  if(!is_late())
+    try {
+      const Improving_work work;
+      flatten(piece, flat);
+      decide(piece, flat);
+      if(flat.failure != Status::interrupted && !(flat.is_cut && is_late()))
+        return;
+      status = deadline_status();
+    } catch(const Interruption& interruption) {
+      status = interruption.status();
+    }
+  flat = Flat_piece();
+  flat.x = chart_again(piece, flat.open);
+  flat.is_mapped = true;
+  flat.chart.faces = number_of_polygons(piece.faces);
+  flat.chart.status = m_is_stopped ? Status::stopped_by_observer : status;
+  flat.chart.message = "as it was before it was cut again, when the time was up";
+  flat.worst = measure(piece, flat.open, flat.x, flat.chart);
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::keep_holes(const Piece& piece, Flat_piece& flat)
 {
   ask_deadline();
@@ -152,7 +179,9 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::settle(const Piece& piece, Flat
 {
   flat.is_overlapping = !draw_apart(flat.open, flat.x);
   flat.worst = measure(piece, flat.open, flat.x, flat.chart);
-  if(!flat.is_overlapping || !can_be_split(piece) || !m_options.is_bounded() || is_too_distorted(flat.chart))
+  // What is far too distorted will be cut anyway; a little less of that is cut where it is most.
+  const bool was_too_distorted = is_too_distorted(flat.chart);
+  if(!flat.is_overlapping || !can_be_split(piece) || !m_options.is_bounded() || (was_too_distorted && excess(flat.chart) >= WORST_EXCESS))
     return;
   Positions<2> x = flat.x;
   if(has_far_crossing(piece, flat.open, x) || !zip(piece, flat.open, x))
@@ -160,7 +189,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::settle(const Piece& piece, Flat
   Chart_summary chart = flat.chart;
   const bool is_overlapping = !draw_apart(flat.open, x);
   const std::int32_t worst = measure(piece, flat.open, x, chart);
-  if(is_too_distorted(chart)) {
+  if(is_too_distorted(chart) && !was_too_distorted) {
     measure(piece, flat.open, flat.x, flat.chart);
     return;
   }

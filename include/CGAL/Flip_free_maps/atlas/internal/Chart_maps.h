@@ -74,6 +74,15 @@ protected:
   // Returns the triangle that is distorted most.
   std::int32_t measure(const Piece& piece, const Open_piece& open, const Positions<2>& x, Chart_summary& chart);
 
+  // Remembers the map of a piece that is a chart already, and is cut again only to be a better one.
+  void remember(const Piece& piece, const Open_piece& open, const Positions<2>& x);
+
+  // Whether a piece is a part of such a chart.
+  bool was_chart(const Piece& piece) const;
+
+  // The map of the piece in that chart, with the seams closed again that it did not have there. It has no overlaps.
+  Positions<2> chart_again(const Piece& piece, Open_piece& open);
+
   void keep(Piece& piece, const Open_piece& open, Positions<2>& x, const Chart_summary& chart);
 
   // The halfedge of the surface that one of a piece was.
@@ -94,7 +103,8 @@ protected:
 
   const Unwrap_options& m_options;
   Packing_obstacles m_obstacles;
-  std::vector<Image> m_image; // of each face in the last map of it
+  std::vector<Image> m_image;       // of each face in the last map of it
+  std::vector<Image> m_chart_image; // in the last one that was a chart's and was cut again
   std::vector<Flat_chart> m_charts;
   std::vector<double> m_areas;   // of the charts on the surface, in the units of m_surface
   double m_area = 0;             // of the surface, likewise

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_maps.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
+#include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
 
@@ -118,6 +119,41 @@ CGAL_FLIP_FREE_MAPS_INLINE std::int32_t Chart_maps::measure(const Piece& piece, 
   chart.max_energy = report.max_energy;
   chart.stretch_95 = report.stretch_95;
   return worst.second;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::remember(const Piece& piece, const Open_piece& open, const Positions<2>& x)
+{
+  for(std::size_t e = 0; e < piece.faces.size(); ++e)
+    for(int k = 0; k < 3; ++k)
+      m_chart_image[piece.faces[e]].col(k) = x.col(open.surface.triangles[e][k]);
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE bool Chart_maps::was_chart(const Piece& piece) const
+{
+  return std::all_of(piece.faces.begin(), piece.faces.end(), [this](std::int32_t f) { return m_chart_image[f].allFinite(); });
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE Positions<2> Chart_maps::chart_again(const Piece& piece, Open_piece& open)
+{
+  const Unbound_work work;
+  std::vector<std::int32_t> sorted = piece.faces;
+  std::sort(sorted.begin(), sorted.end());
+  for(const std::int32_t f : piece.faces)
+    for(int k = 0; k < 3; ++k) {
+      const std::int32_t h = 3 * f + k, opposite = m_surface.opposite[h];
+      if(opposite < 0 || !m_is_cut[h] || m_is_given[h] || !std::binary_search(sorted.begin(), sorted.end(), opposite / 3))
+        continue;
+      const Image &a = m_chart_image[f], &b = m_chart_image[opposite / 3];
+      const int l = opposite % 3;
+      if(a.col(k) == b.col((l + 1) % 3) && a.col((k + 1) % 3) == b.col(l))
+        close_seam(h);
+    }
+  for(const std::int32_t f : piece.faces)
+    m_image[f] = m_chart_image[f];
+  open = this->open(piece.faces);
+  Positions<2> x;
+  inherit(piece, open, x);
+  return x;
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::keep(Piece& piece, const Open_piece& open, Positions<2>& x, const Chart_summary& chart)

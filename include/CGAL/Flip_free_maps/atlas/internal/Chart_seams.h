@@ -78,6 +78,9 @@ protected:
 
   // New maps of pieces with at most so many triangles take no time, and a good map overlaps itself less than a rough one.
   static constexpr std::size_t FEW_FACES = 20000;
+  // The excess of distortion below which what is left of a piece begins with its map: what is distorted a little too much as a whole
+  // may be good enough in parts.
+  static constexpr double WORST_EXCESS = 2;
 
 private:
   // Whether the surface turns by at least an angle across the edge of a halfedge, which has two triangles.
@@ -106,9 +109,8 @@ private:
   static constexpr int MOST_RECUTS = 3;
   // Splits of a piece before its parts are looked at.
   static constexpr int MOST_SPLITS = 64;
-  // The excess of distortion below which what is left of a piece begins with its map: what is distorted a little too much as a whole
-  // may be good enough in parts.
-  static constexpr double WORST_EXCESS = 2;
+  // The excess of distortion below which a piece is cut little by little: where it is small, more is expected than comes out.
+  static constexpr double SMALL_EXCESS = 1.25;
   // What is expected over what comes out, of energies above 1; and the part of what is wanted that is asked for the second time.
   static constexpr double HOPE = 3, CAUTION = 0.8;
 };

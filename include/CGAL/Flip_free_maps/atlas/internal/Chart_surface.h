@@ -121,6 +121,7 @@ protected:
   double m_begin;
   const Linked_triangles& m_surface;
   std::vector<char> m_is_cut, m_is_feature; // by halfedge
+  std::vector<char> m_is_given;             // likewise, the seams that were asked for
   std::vector<std::int32_t> m_place;        // of a face in the piece at hand
   std::vector<char> m_is_unassigned;        // whether a face still looks for its piece
   std::deque<Piece> m_queue;

@@ -192,6 +192,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void pack_flat_charts(std::vector<Flat_chart>& charts
       summary.message = "chart number " + std::to_string(c) + " has flipped triangles or coordinates that are not finite";
       return;
     }
+    const Unbound_work certificate;
     was_bijective[c] = is_bijective(charts[c].elements, charts[c].x);
   }
 

@@ -245,7 +245,8 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cut_planner::reach_distorted_places(Cut_potentia
 {
   const std::int32_t pieces = m_opening.number_of_pieces(), vertices = m_surface.number_of_vertices();
   const std::vector<double> piece_areas = areas_of_pieces();
-  for(int round = 0; round < MOST_ROUNDS && !m_must_stop(); ++round) {
+  const int rounds = m_options.max_rounds > 0 ? m_options.max_rounds : MOST_ROUNDS;
+  for(int round = 0; round < rounds && !m_must_stop(); ++round) {
     std::vector<char> is_fixed(vertices, 0);
     for(std::int32_t h = 0; h < static_cast<std::int32_t>(m_surface.opposite.size()); ++h)
       if(!m_is_active[m_opening.piece_of[h / 3]] || m_graph.is_on_cut(m_graph.node_of(h)))
