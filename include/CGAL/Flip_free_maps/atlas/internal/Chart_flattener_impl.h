@@ -206,20 +206,24 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_flattener::zip(const Piece& piece, const O
     return false;
   const std::vector<std::int32_t> twins = this->twins(piece, open);
   const Chart_zipper zipper(open.surface, open.border, twins, ZIPPED_GAPS * gap());
+  // What did not go once will hardly go later.
+  std::vector<char> has_failed(twins.size(), 0);
   for(int round = 0; round < MOST_ROUNDS && !is_late(); ++round) {
     bool is_changed_now = false;
     std::vector<char> is_done(twins.size(), 0);
     for(const Crossing& crossing : crossings(open, with_moved_border(open, x, gap()))) {
       const std::int32_t i = crossing.edges[0], j = crossing.edges[1];
-      if(is_done[i] || is_done[j] || !zipper.is_zippable(i, j))
+      if(is_done[i] || is_done[j] || has_failed[i] || has_failed[j] || !zipper.is_zippable(i, j))
         continue;
       is_done[i] = is_done[j] = 1;
       const Chart_zipper::Stretch stretch = zipper.stretch(x, i, j);
       for(const std::int32_t e : stretch)
         is_done[e] = is_done[twins[e]] = 1;
       Chart_zipper::Patch patch;
-      if(!stretch.empty() && zipper.make_patch(x, stretch, patch) && relax(patch))
-        is_changed_now = put(patch, x) || is_changed_now;
+      if(!stretch.empty() && zipper.make_patch(x, stretch, patch) && relax(patch) && put(patch, x))
+        is_changed_now = true;
+      else
+        has_failed[i] = has_failed[j] = 1;
     }
     if(!is_changed_now)
       break;
