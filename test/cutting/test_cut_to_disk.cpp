@@ -227,6 +227,22 @@ BOOST_AUTO_TEST_CASE(extremities_are_reached)
   BOOST_TEST(fine.seam_length > coarse.seam_length);
   BOOST_TEST(coarse.points == 2);
   BOOST_TEST(coarse.expected_energy > fine.expected_energy);
+
+  // One round after the other reaches more places, and all rounds together those of no limit.
+  options.number_of_points = 0;
+  int points = 0;
+  for(const int rounds : {1, 2, 1000}) {
+    Seamed_surface some(surface.mesh);
+    for(const Edge e : surface.mesh.edges())
+      some.cut[e] = false;
+    options.max_rounds = rounds;
+    const FFM::Cut_summary limited = check_disks(some, 1, 0, 0, options);
+    BOOST_TEST(limited.points > points);
+    points = limited.points;
+    for(const Edge e : surface.mesh.edges())
+      BOOST_TEST((rounds < 1000 || some.cut[e] == finer.cut[e]));
+  }
+  BOOST_TEST(points == fine.points);
 }
 
 BOOST_AUTO_TEST_CASE(farthest_points_of_the_paper)
@@ -450,6 +466,7 @@ BOOST_AUTO_TEST_CASE(bad_input)
   check_option([](auto& o) { o.branches = Branches::farthest_points; });
   check_option([](auto& o) { o.feature_cost = 0; });
   check_option([](auto& o) { o.crease_preference = -1; });
+  check_option([](auto& o) { o.max_rounds = -1; });
 }
 
 BOOST_AUTO_TEST_CASE(distances_in_the_graph)

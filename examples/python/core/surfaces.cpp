@@ -54,6 +54,7 @@ FFM::Cut_options cut_options(const py::dict& options)
   cut.branches = branches.at(name);
   read(options, "target_energy", cut.target_energy);
   read(options, "number_of_points", cut.number_of_points);
+  read(options, "max_rounds", cut.max_rounds);
   read(options, "join_borders", cut.join_borders);
   read(options, "cut_disks", cut.cut_disks);
   read(options, "feature_cost", cut.feature_cost);

@@ -15,7 +15,8 @@ from ._results import Cut, Deformed, Map, Packing, SeamlessMap, Unwrapping, fini
 
 BRANCHES = ("none", "extremities", "curvature-peaks", "farthest-points")
 _PACKING = ("margin", "resolution", "padding", "rotate")
-_CUTTING = ("branches", "target_energy", "number_of_points", "join_borders", "cut_disks", "feature_cost", "crease_preference")
+_CUTTING = ("branches", "target_energy", "number_of_points", "max_rounds", "join_borders", "cut_disks", "feature_cost",
+            "crease_preference")
 
 
 def _cut_options(arguments):
@@ -25,9 +26,9 @@ def _cut_options(arguments):
 
 
 def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pack=None, margin=None, resolution=None,
-           padding=None, rotate=None, branches=None, target_energy=None, number_of_points=None, join_borders=None, cut_disks=None,
-           feature_cost=None, crease_preference=None, max_stretch=None, seam_angle=None, crease_angle=None, max_length=None,
-           min_occupancy=None, strict=None, pinned=None, uv=None, tolerance=None, max_iterations=None, time_limit=None,
+           padding=None, rotate=None, branches=None, target_energy=None, number_of_points=None, max_rounds=None, join_borders=None,
+           cut_disks=None, feature_cost=None, crease_preference=None, max_stretch=None, seam_angle=None, crease_angle=None,
+           max_length=None, min_occupancy=None, strict=None, pinned=None, uv=None, tolerance=None, max_iterations=None, time_limit=None,
            dtype=np.float64, progress=None):
     """Makes a texture atlas of any mesh of polygons: cuts it open, flattens the pieces, packs them into the unit square.
 
@@ -60,7 +61,7 @@ def unwrap(points, faces, *, max_distortion=None, seams=None, features=None, pac
     branches : {"extremities", "none", "curvature-peaks", "farthest-points"}
         What seams reach beside what the topology asks for, with `number_of_points` and `target_energy` (default 1.2), see
         `cut_to_disk`.
-    join_borders, cut_disks, feature_cost, crease_preference
+    max_rounds, join_borders, cut_disks, feature_cost, crease_preference
         See `cut_to_disk`.
     max_stretch : float, default infinity
         At least 95 % of the area of each chart are stretched or compressed by at most this factor.
@@ -315,8 +316,8 @@ def pack(faces, uv, *, pinned=None, margin=None, resolution=None, padding=None, 
     return Packing.of(result, t, finished(account))
 
 
-def cut_to_disk(points, faces, *, seams=None, branches=None, target_energy=None, number_of_points=None, join_borders=None,
-                cut_disks=None, feature_cost=None, crease_preference=None):
+def cut_to_disk(points, faces, *, seams=None, branches=None, target_energy=None, number_of_points=None, max_rounds=None,
+                join_borders=None, cut_disks=None, feature_cost=None, crease_preference=None):
     """Cuts a surface of any genus open, so that each piece is a disk: what `parameterize` needs.
 
     Parameters
@@ -331,6 +332,8 @@ def cut_to_disk(points, faces, *, seams=None, branches=None, target_energy=None,
         "extremities": seams are added until a map of this mean symmetric Dirichlet energy is expected.
     number_of_points : int
         "farthest-points": how many; otherwise at most so many, with 0 for no limit.
+    max_rounds : int, default 0
+        "extremities": how many times distorted places are sought and reached, with 0 for no limit.
     join_borders : bool, default True
         Whether borders are joined, so that pieces have no holes.
     cut_disks : bool, default False
