@@ -61,7 +61,7 @@ private:
   // How far from the other side of an edge, in edges, one that crosses it may be.
   static constexpr int NEAR = 12;
   // The part of the length of a stretch by which its sides may lie over each other.
-  static constexpr double MOST_TURN = 1;
+  static constexpr double MOST_TURN = 0.3;
   // Rings of triangles around a stretch of one edge, and the most.
   static constexpr int RINGS = 4, MOST_RINGS = 40;
 
