@@ -89,7 +89,6 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::flatten_and_decide(Piece& piece
     flatten(piece, flat);
     return decide(piece, flat);
   }
-  Status status = deadline_status();
   if(!is_late())
     try {
       const Improving_work work;
@@ -97,15 +96,12 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::flatten_and_decide(Piece& piece
       decide(piece, flat);
       if(flat.failure != Status::interrupted && !(flat.is_cut && is_late()))
         return;
-      status = deadline_status();
-    } catch(const Interruption& interruption) {
-      status = interruption.status();
-    }
+    } catch(const Interruption&) {}
   flat = Flat_piece();
   flat.x = chart_again(piece, flat.open);
   flat.is_mapped = true;
   flat.chart.faces = number_of_polygons(piece.faces);
-  flat.chart.status = m_is_stopped ? Status::stopped_by_observer : status;
+  flat.chart.status = m_is_stopped ? Status::stopped_by_observer : deadline_status();
   flat.chart.message = "as it was before it was cut again, when the time was up";
   flat.worst = measure(piece, flat.open, flat.x, flat.chart);
 }

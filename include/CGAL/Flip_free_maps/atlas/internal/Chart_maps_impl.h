@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
+#include <CGAL/Flip_free_maps/report/Deadline.h>
 
 #include <algorithm>
 #include <array>
@@ -251,7 +252,14 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::split_for_packing(const std::functio
     for(const std::int32_t f : whole.faces)
       was_cut.insert(was_cut.end(), m_is_cut.begin() + 3 * f, m_is_cut.begin() + 3 * f + 3);
     double seam_length;
-    if(halve(c, seam_length)) {
+    bool is_halved = false;
+    try {
+      const Improving_work work;
+      is_halved = halve(c, seam_length);
+    } catch(const Interruption&) {
+      m_queue.clear();
+    }
+    if(is_halved) {
       const double now = expected_occupancy(m_charts, m_options.packing, must_stop);
       if(now - covered >= (std::max)(least_gain, seam_price * seam_length / std::sqrt(m_area))) {
         covered = now;
