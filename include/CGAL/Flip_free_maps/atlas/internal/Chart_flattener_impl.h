@@ -175,7 +175,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::settle(const Piece& piece, Flat
 {
   flat.is_overlapping = !draw_apart(flat.open, flat.x);
   flat.worst = measure(piece, flat.open, flat.x, flat.chart);
-  // What is far too distorted will be cut anyway; a little less of that is cut where it is most.
+  // What is far too distorted will be cut anyway.
   const bool was_too_distorted = is_too_distorted(flat.chart);
   if(!flat.is_overlapping || !can_be_split(piece) || !m_options.is_bounded() || (was_too_distorted && excess(flat.chart) >= WORST_EXCESS))
     return;

@@ -251,7 +251,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::split_for_packing(const std::functio
     std::vector<char> was_cut;
     for(const std::int32_t f : whole.faces)
       was_cut.insert(was_cut.end(), m_is_cut.begin() + 3 * f, m_is_cut.begin() + 3 * f + 3);
-    double seam_length;
+    double seam_length = 0;
     bool is_halved = false;
     try {
       const Improving_work work;

@@ -163,7 +163,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_seams::cut_for_less_distortion(Piece& piec
   Cut_options cut = m_options.cut;
   cut.cut_disks = true;
   cut.target_energy = piece.target > 0 ? piece.target : first_target();
-  if(excess(flat.chart) < SMALL_EXCESS)
+  if(excess(flat.chart) < SMALL_EXCESS && cut.max_rounds == 0)
     cut.max_rounds = (std::max)(1, piece.recuts);
   ++piece.recuts;
   // Less is expected in the proportion of what is wanted to what came out, and less again if that was so already.
