@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every header of the package includes what it names of the standard library and of CGAL, itself or in the header that it implements.
+"""Every header of the package includes what it names of the standard library and of CGAL, itself or in the header that it implements, and
+reaches the headers of the package whose classes it names, without what only implements another.
 
 What is missing shows up only in the program that includes that header first, and the tests, which share much of what they include, are
 no such program.
@@ -69,6 +70,33 @@ def included(text):
     return set(re.findall(r"^\s*#\s*include <([^>]+)>", text, re.MULTILINE))
 
 
+def reached(header, includes):
+    """The headers of the package that one includes, itself or through others."""
+    seen = {header}
+    todo = [header]
+    while todo:
+        for other in includes[todo.pop()]:
+            if other in includes and other not in seen and not other.endswith("_impl.h"):
+                seen.add(other)
+                todo.append(other)
+    return seen
+
+
+def unreached_classes(texts):
+    """Sentences on the classes of the package, each in a header of its name, that a header names but does not reach."""
+    of_class = {}
+    for header in texts:
+        of_class.setdefault(pathlib.Path(header).stem, set()).add(header)
+    includes = {header: included(text) for header, text in texts.items()}
+    for header, text in sorted(texts.items()):
+        code = re.sub(r"/\*.*?\*/", "", re.sub(r"//.*|\"[^\"\n]*\"|^\s*#.*$", "", text, flags=re.MULTILINE), flags=re.DOTALL)
+        declared = set(re.findall(r"\b(?:class|struct|typename) (\w+)", code))
+        seen = reached(header, includes)
+        for name in sorted(set(re.findall(r"(?<![\w.>])[A-Z]\w+", code)) - declared):
+            if name in of_class and not of_class[name] & seen:
+                yield f"{header}: {name} needs <{min(of_class[name])}>"
+
+
 def main():
     root = pathlib.Path(sys.argv[1]) / "include"
     headers = names_of_header(sys.argv[2] if len(sys.argv) > 2 else None)
@@ -94,6 +122,7 @@ def main():
         for name, header in sorted(named.items()):
             if header not in includes and name.split("::")[-1] not in declared:
                 failures.append(f"{file.relative_to(root)}: {name} needs <{header}>")
+    failures.extend(unreached_classes({str(file.relative_to(root)): file.read_text(encoding="utf-8") for file in files}))
     print("\n".join(failures))
     sys.exit(1 if failures else 0)
 

@@ -14,7 +14,7 @@
 #include "functions.h"
 #include "options.h"
 
-#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterize_with_seams.h>
 
 #include <CGAL/Simple_cartesian.h>

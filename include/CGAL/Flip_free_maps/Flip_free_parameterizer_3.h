@@ -14,6 +14,9 @@
 #include <CGAL/Flip_free_maps/parameterization/internal/parameterize_patch.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+#include <CGAL/Flip_free_maps/core/default_traits.h>
+#endif
 
 #include <CGAL/Default.h>
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>

@@ -13,14 +13,12 @@
 #include <CGAL/Flip_free_maps/method/Any_map_traits.h>
 #endif
 
-// The compiled library holds the minimizers of the default method, and of those that are chosen at run time.
+// Beside the minimizers of the default methods the compiled library holds those of methods that are chosen at run time.
 
 namespace CGAL {
 namespace Flip_free_maps {
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
-extern template class Map_minimizer<2, Flip_free_map_traits<>>;
-extern template class Map_minimizer<3, Flip_free_map_traits<>>;
 extern template class Map_minimizer<2, Any_map_traits>;
 extern template class Map_minimizer<3, Any_map_traits>;
 #endif

@@ -8,9 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CORE_DEFAULT_TRAITS_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_CORE_DEFAULT_TRAITS_IMPL_H
 
-#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/core/default_traits.h>
 #include <CGAL/Flip_free_maps/core/unwrap_polygons_by_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/Bijective_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 

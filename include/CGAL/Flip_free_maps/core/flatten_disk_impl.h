@@ -8,10 +8,10 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CORE_FLATTEN_DISK_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_CORE_FLATTEN_DISK_IMPL_H
 
-#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/core/flatten_disk.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/parameterization/internal/solve_planar.h>
 
 namespace CGAL {

@@ -8,9 +8,9 @@
 #ifndef CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_IMPL_H
 #define CGAL_FLIP_FREE_MAPS_CORE_UNWRAP_POLYGONS_IMPL_H
 
-#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/core/unwrap_polygons_by_traits.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 namespace CGAL {
 namespace Flip_free_maps {

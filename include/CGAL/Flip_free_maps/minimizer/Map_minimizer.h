@@ -14,6 +14,7 @@
 #include <CGAL/Flip_free_maps/constraints/Position_constraints.h>
 #include <CGAL/Flip_free_maps/constraints/Soft_positions.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
+#include <CGAL/Flip_free_maps/energies/Symmetric_gradient.h>
 #include <CGAL/Flip_free_maps/internal/Timer.h>
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
@@ -33,6 +34,8 @@
 #include <CGAL/Flip_free_maps/report/Deadline.h>
 #include <CGAL/Flip_free_maps/report/Summary.h>
 #include <CGAL/Flip_free_maps/worlds/internal/world_traits.h>
+
+#include <CGAL/Default.h>
 
 #include <boost/concept_check.hpp>
 
@@ -534,6 +537,13 @@ bool Map_minimizer<D, Traits>::analyze(Summary& summary)
     return false;
   }
 }
+
+#ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
+// The compiled library holds the default methods for surfaces and for volumes.
+extern template class Map_minimizer<2, Flip_free_map_traits<>>;
+extern template class Map_minimizer<3, Flip_free_map_traits<>>;
+extern template class Map_minimizer<3, Flip_free_map_traits<CGAL::Default, Symmetric_gradient>>;
+#endif
 
 } // namespace Flip_free_maps
 } // namespace CGAL

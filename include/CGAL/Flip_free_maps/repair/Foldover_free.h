@@ -114,43 +114,10 @@ public:
   /// Removes the flips of `x`, in the domain's units. The work is added to `summary`; its status is `success`, `flips_remain` or
   /// `invalid_option`, and `Summary::flips` tells how many flipped elements are left. Returns whether no element is flipped by
   /// exact predicates; `x` is changed only then.
-  bool remove_flips(Positions<D>& x, Summary& summary)
-  {
-    Positions<D> result = x;
-    reduce_flips(result, summary);
-    if(summary.status != Status::success)
-      return false;
-    x.swap(result);
-    return true;
-  }
+  bool remove_flips(Positions<D>& x, Summary& summary);
 
   /// The same, but where flips remain `x` becomes the map with the fewest that was met.
-  void reduce_flips(Positions<D>& x, Summary& summary)
-  {
-    summary.status = Status::flips_remain;
-    if(!m_options.is_valid(&summary.message)) {
-      summary.status = Status::invalid_option;
-      return;
-    }
-    const Deadline deadline(m_options.max_seconds);
-    const internal::Improving_work work;
-    typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
-    internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver);
-    const auto reporting = solver.report_to(summary);
-    std::string limit;
-    summary.flips = flips(x);
-    try {
-      descend(solver, x, summary);
-    } catch(const Interruption& interruption) {
-      limit = std::string(interruption.what()) + ", and ";
-    }
-    if(summary.flips != 0) {
-      summary.message = limit + std::to_string(summary.flips) + " elements are still flipped";
-      return;
-    }
-    summary.status = Status::success;
-    summary.message = "no element is flipped";
-  }
+  void reduce_flips(Positions<D>& x, Summary& summary);
 
 private:
   // Minimises for smaller and smaller values of the regularization, until no element is flipped or none helps. `x` becomes the map
@@ -311,6 +278,45 @@ private:
   bool m_has_fixed = false;
   Block_sparse_matrix m_matrix;
 };
+
+template <int D, typename Traits>
+bool Foldover_free<D, Traits>::remove_flips(Positions<D>& x, Summary& summary)
+{
+  Positions<D> result = x;
+  reduce_flips(result, summary);
+  if(summary.status != Status::success)
+    return false;
+  x.swap(result);
+  return true;
+}
+
+template <int D, typename Traits>
+void Foldover_free<D, Traits>::reduce_flips(Positions<D>& x, Summary& summary)
+{
+  summary.status = Status::flips_remain;
+  if(!m_options.is_valid(&summary.message)) {
+    summary.status = Status::invalid_option;
+    return;
+  }
+  const Deadline deadline(m_options.max_seconds);
+  const internal::Improving_work work;
+  typename Traits::Linear_solver linear_solver = m_traits.make_linear_solver();
+  internal::Robust_solver<typename Traits::Linear_solver> solver(linear_solver);
+  const auto reporting = solver.report_to(summary);
+  std::string limit;
+  summary.flips = flips(x);
+  try {
+    descend(solver, x, summary);
+  } catch(const Interruption& interruption) {
+    limit = std::string(interruption.what()) + ", and ";
+  }
+  if(summary.flips != 0) {
+    summary.message = limit + std::to_string(summary.flips) + " elements are still flipped";
+    return;
+  }
+  summary.status = Status::success;
+  summary.message = "no element is flipped";
+}
 
 #ifdef CGAL_FLIP_FREE_MAPS_USE_CORE
 extern template class Foldover_free<2>;
