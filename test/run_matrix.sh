@@ -19,7 +19,7 @@ clang="$(command -v clang++-14 || command -v clang++ || true)"
 cgal_6=libcgal-dev_6.0.1-1_amd64.deb
 cgal_6_address="http://deb.debian.org/debian/pool/main/c/cgal/$cgal_6"
 
-rows=(g++ clang libc++ c++20 c++23 no-libraries sanitizers threads cgal-6)
+rows=(g++ clang libc++ c++20 c++23 header-only no-libraries sanitizers threads cgal-6)
 if [[ "${1:-}" == --list ]]; then
   printf '%s\n' "${rows[@]}"
   exit 0
@@ -46,7 +46,7 @@ unpacked_cgal_6()
 describe()
 {
   options=()
-  targets=(test_door_headers test_room_headers flip_free_maps IO_tests core_tests report_tests)
+  targets=(test_headers_alone test_headers_together flip_free_maps IO_tests core_tests report_tests)
   tests='^(IO|core|report)/'
   unity=ON
   missing=
@@ -62,6 +62,11 @@ describe()
       options=(-DCMAKE_CXX_COMPILER="$clang" -DCMAKE_CXX_FLAGS=-stdlib=libc++) ;;
     c++20) options=(-DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_STANDARD=20) ;;
     c++23) options=(-DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_STANDARD=23) ;;
+    header-only)
+      # Each header alone, with nothing compiled before it.
+      options=(-DCMAKE_CXX_COMPILER=g++ -DFLIP_FREE_MAPS_BUILD_CORE=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+      targets=(test_headers_alone test_headers_together flip_free_maps IO_tests report_tests)
+      tests='^(IO|report)/' ;;
     no-libraries)
       options=(-DCMAKE_CXX_COMPILER=g++)
       for library in CHOLMOD TBB CAIRO ZLIB TETGEN; do
@@ -107,7 +112,7 @@ for row in "${rows[@]}"; do
   # Nothing but the tests runs, and these have options of their own.
   if cmake -S "$root" -B "$folder" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DFLIP_FREE_MAPS_UNITY_BUILD=$unity \
            "${options[@]}" > "$log" 2>&1; then
-    [[ -z "$headers_only" ]] || targets=(test_door_headers test_room_headers)
+    [[ -z "$headers_only" ]] || targets=(test_headers_alone test_headers_together)
     for target in "${targets[@]}"; do
       case "$target" in
         test_headers) column=headers ;;

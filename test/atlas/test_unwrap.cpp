@@ -9,6 +9,8 @@
 
 #include "support/unit_test.h"
 
+#include "support/dense_algebra.h"
+
 #include "atlas/atlas_checks.h"
 
 #include <CGAL/Flip_free_maps/Flip_free_map_traits.h>
@@ -212,10 +214,10 @@ static double part_within(const Atlas_surface& surface, const FFM::Unwrap_summar
     edges << point(surface.mesh.next(h)) - point(h), point(surface.mesh.prev(h)) - point(h);
     images << image(surface.mesh.next(h)) - image(h), image(surface.mesh.prev(h)) - image(h);
     const Eigen::Matrix<double, 3, 2> back = edges * images.inverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> squares(back.transpose() * back);
+    const Eigen::VectorXd squares = eigenvalues(back.transpose() * back);
     const double face_area = edges.col(0).cross(edges.col(1)).norm() / 2;
     area += face_area;
-    if(squares.eigenvalues()[0] >= 1 / (factor * factor) && squares.eigenvalues()[1] <= factor * factor)
+    if(squares[0] >= 1 / (factor * factor) && squares[1] <= factor * factor)
       within += face_area;
   }
   return within / area;

@@ -12,8 +12,8 @@
 #include "support/minimizer_checks.h"
 
 #include <CGAL/Flip_free_maps/accelerations/Lbfgs.h>
-#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
+#include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 #include <CGAL/Flip_free_maps/preconditioners/Laplacian.h>
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 

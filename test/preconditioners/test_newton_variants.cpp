@@ -9,6 +9,7 @@
 
 #include "support/unit_test.h"
 
+#include "support/dense_algebra.h"
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"
 
@@ -58,14 +59,6 @@ struct Rubber_value
   }
 };
 
-// The eigenvalues of a symmetric matrix changed by a function.
-Eigen::MatrixXd filtered(const Eigen::MatrixXd& matrix, double (*f)(double))
-{
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
-  const Eigen::VectorXd values = eigen.eigenvalues().unaryExpr(f);
-  return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
-}
-
 double clamp(double value) { return value > 0 ? value : 0; }
 
 double mirror(double value) { return value > 0 ? value : -value; }
@@ -95,7 +88,7 @@ void check_filters(const Energy& energy, const Value& value)
     const Eigen::MatrixXd hessian = full_matrix<D>(FFM::Newton(), energy, J);
     BOOST_TEST((hessian - hessian_by_differences<D>([&value](const Matrix<D>& m) { return value.template operator()<D>(m); }, J)).norm() <=
                1e-6 * hessian.norm());
-    const Eigen::MatrixXd clamped = filtered(hessian, clamp), mirrored = filtered(hessian, mirror);
+    const Eigen::MatrixXd clamped = with_changed_eigenvalues(hessian, clamp), mirrored = with_changed_eigenvalues(hessian, mirror);
     BOOST_TEST((full_matrix<D>(clamping, energy, J) - clamped).norm() <= 1e-10 * hessian.norm());
     BOOST_TEST((full_matrix<D>(absolute, energy, J) - mirrored).norm() <= 1e-10 * hessian.norm());
     indefinite += (clamped - mirrored).norm() > 1e-3 * hessian.norm();
@@ -135,7 +128,7 @@ void check_vertex_space()
     }
     const Eigen::MatrixXd H = full_matrix<D>(FFM::Newton(), FFM::Symmetric_dirichlet(), example.domain.jacobian(e, example.x));
     const Eigen::MatrixXd hessian = example.domain.measures[e] * B.transpose() * H * B;
-    const Eigen::MatrixXd clamped = filtered(hessian, clamp);
+    const Eigen::MatrixXd clamped = with_changed_eigenvalues(hessian, clamp);
     changed += (hessian - clamped).norm();
     for(int i = 0; i < N; ++i)
       for(int j = 0; j < N; ++j)

@@ -10,6 +10,7 @@
 
 #include "support/unit_test.h"
 
+#include "support/dense_algebra.h"
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"
 
@@ -20,8 +21,6 @@
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -84,18 +83,18 @@ std::vector<Matrix<D>> jacobian_samples(bool extreme = false)
 template <int D>
 Matrix<D> nearest_rotation(const Matrix<D>& J)
 {
-  const Eigen::JacobiSVD<Matrix<D>> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  const Singular_value_decomposition<D> svd(J);
+  return svd.U * svd.V.transpose();
 }
 
 template <int D, typename Energy>
 Matrix<D> energy_gradient(const Energy& energy, const Matrix<D>& J)
 {
-  const Eigen::JacobiSVD<Matrix<D>> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Singular_value_decomposition<D> svd(J);
   Vector<D> gradient;
   Matrix<D> hessian;
-  energy.template derivatives<D>(Vector<D>(svd.singularValues()), gradient, hessian);
-  return svd.matrixU() * gradient.asDiagonal() * svd.matrixV().transpose();
+  energy.template derivatives<D>(svd.s, gradient, hessian);
+  return svd.U * gradient.asDiagonal() * svd.V.transpose();
 }
 
 // By central differences of the gradient, of fourth order.
@@ -103,7 +102,7 @@ template <int D, typename Energy>
 Full_matrix<D> finite_difference_hessian(const Energy& energy, const Matrix<D>& J)
 {
   Full_matrix<D> hessian;
-  const double h = 1e-3 * Eigen::JacobiSVD<Matrix<D>>(J).singularValues()[D - 1];
+  const double h = 1e-3 * singular_values(J)[D - 1];
   for(int k = 0; k < D * D; ++k) {
     const auto moved = [&](double distance) {
       Matrix<D> result = J;
@@ -139,8 +138,7 @@ Full_matrix<D> symmetric_dirichlet_hessian(const Matrix<D>& J, const Full_matrix
 template <int D>
 Full_matrix<D> projected(const Full_matrix<D>& m)
 {
-  const Eigen::SelfAdjointEigenSolver<Full_matrix<D>> eigen(m);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
+  return with_changed_eigenvalues(m, [](double value) { return value > 0 ? value : 0; });
 }
 
 template <int D, typename Preconditioner>
@@ -232,13 +230,13 @@ template <int D>
 void check_slim_in_all_directions()
 {
   for(const Matrix<D>& J : jacobian_samples<D>(true)) {
-    const Eigen::JacobiSVD<Matrix<D>> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Singular_value_decomposition<D> svd(J);
     Vector<D> weights;
     for(int i = 0; i < D; ++i) {
-      const double s = svd.singularValues()[i];
+      const double s = svd.s[i];
       weights[i] = std::abs(s - 1) > 1e-7 ? (s - std::pow(s, -3)) / (D * (s - 1)) : 4. / D;
     }
-    const Matrix<D> proxy = svd.matrixU() * weights.asDiagonal() * svd.matrixU().transpose();
+    const Matrix<D> proxy = svd.U * weights.asDiagonal() * svd.U.transpose();
     const Full_matrix<D> full = full_matrix<D>(FFM::Slim(), FFM::Symmetric_dirichlet(), J);
     for(int i = 0; i < D; ++i)
       for(int j = 0; j < D; ++j) {
@@ -358,9 +356,9 @@ BOOST_AUTO_TEST_CASE(projection_of_indefinite_stretch_blocks)
   for(int k = 0; k < 500; ++k) {
     const Matrix<3> random_matrix = random.matrix<3>();
     Matrix<3> m = random_matrix + random_matrix.transpose();
-    const Eigen::SelfAdjointEigenSolver<Matrix<3>> eigen(m);
-    indefinite += eigen.eigenvalues()[0] < 0 && eigen.eigenvalues()[2] > 0;
-    const Matrix<3> expected = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
+    const Eigen_decomposition<3> eigen(m);
+    indefinite += eigen.values[0] < 0 && eigen.values[2] > 0;
+    const Matrix<3> expected = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
     FFM::internal::project_to_psd(m);
     BOOST_TEST((m - expected).norm() <= 1e-7 * expected.norm() + 1e-7);
   }
@@ -442,14 +440,13 @@ BOOST_AUTO_TEST_CASE(majorization_exceeds_the_hessian)
   const FFM::Symmetric_dirichlet energy;
   for(const Matrix<2>& J : jacobian_samples<2>()) {
     const Full_matrix<2> hessian = symmetric_dirichlet_hessian<2>(J, Full_matrix<2>::Identity());
-    const auto smallest = [](const Full_matrix<2>& m) { return Eigen::SelfAdjointEigenSolver<Full_matrix<2>>(m).eigenvalues().minCoeff(); };
     const Full_matrix<2> gathered = full_matrix<2>(FFM::Composite_majorization<true>(), energy, J);
     const Full_matrix<2> ungathered = full_matrix<2>(FFM::Composite_majorization<false>(), energy, J);
-    BOOST_TEST(smallest(gathered - hessian) >= -1e-9 * hessian.norm());
+    BOOST_TEST(smallest_eigenvalue(gathered - hessian) >= -1e-9 * hessian.norm());
     // Rounding is relative to the larger matrix: equation (17) has a pole at equal singular values.
     const double tolerance = 1e-9 * hessian.norm() + 1e-14 * ungathered.norm();
-    BOOST_TEST(smallest(ungathered - hessian) >= -tolerance);
-    BOOST_TEST(smallest(ungathered - gathered) >= -tolerance);
+    BOOST_TEST(smallest_eigenvalue(ungathered - hessian) >= -tolerance);
+    BOOST_TEST(smallest_eigenvalue(ungathered - gathered) >= -tolerance);
   }
 }
 

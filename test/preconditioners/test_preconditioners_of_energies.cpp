@@ -11,6 +11,7 @@
 #include "support/unit_test.h"
 
 #include "support/all_energies.h"
+#include "support/dense_algebra.h"
 #include "support/full_matrix.h"
 #include "support/generated_domains.h"
 
@@ -21,8 +22,6 @@
 #include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim.h>
 #include <CGAL/Flip_free_maps/preconditioners/Slim_newton.h>
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +110,7 @@ template <int D, typename Energy>
 void check_hessian(const Energy& energy)
 {
   typedef Eigen::Matrix<double, D, D> Jacobian;
-  const auto value = [&energy](const Jacobian& J) { return energy.template value<D>(Eigen::JacobiSVD<Jacobian>(J).singularValues()); };
+  const auto value = [&energy](const Jacobian& J) { return energy.template value<D>(singular_values(J)); };
   Random random(22);
   for(int k = 0; k < 12; ++k) {
     // Away from 1 and from each other, where energies with absolute values and maxima have kinks.

@@ -10,11 +10,10 @@
 
 #include "support/unit_test.h"
 
+#include "support/dense_algebra.h"
 #include "support/generated_domains.h"
 
 #include <CGAL/Flip_free_maps/references/Progressive_reference.h>
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
@@ -104,8 +103,8 @@ Matrix<D> reference_jacobian(const FFM::Progressive_reference& reference, const 
 template <int D, typename Function>
 Matrix<D> mapped(const Matrix<D>& J, Function&& f)
 {
-  const Eigen::JacobiSVD<Matrix<D>, Eigen::NoQRPreconditioner> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * Vector<D>(svd.singularValues().unaryExpr(f)).asDiagonal() * svd.matrixV().transpose();
+  const Singular_value_decomposition<D> svd(J);
+  return svd.U * Vector<D>(svd.s.unaryExpr(f)).asDiagonal() * svd.V.transpose();
 }
 
 template <int D>

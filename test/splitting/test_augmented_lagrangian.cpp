@@ -10,6 +10,7 @@
 
 #include "support/unit_test.h"
 
+#include "support/dense_algebra.h"
 #include "support/splitting_checks.h"
 
 #include <CGAL/Flip_free_maps/domains/internal/Element_coloring.h>
@@ -18,8 +19,6 @@
 #include <CGAL/Flip_free_maps/method/Flip_free_map_traits.h>
 #include <CGAL/Flip_free_maps/splitting/Admm_splitting_step.h>
 #include <CGAL/Flip_free_maps/splitting/internal/Position_solver.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +107,7 @@ public:
   const FFM::Positions<D>& positions() const { return m_x; }
 
 private:
-  static Vector eigenvalues(const Matrix& P) { return Eigen::SelfAdjointEigenSolver<Matrix>(P).eigenvalues().reverse(); }
+  static Vector eigenvalues(const Matrix& P) { return test_support::eigenvalues(P).reverse(); }
 
   const FFM::Simplicial_domain<D>& m_domain;
   FFM::Position_constraints<D> m_constraints;

@@ -9,6 +9,7 @@
 
 #include "support/unit_test.h"
 
+#include "support/dense_algebra.h"
 #include "support/splitting_checks.h"
 #include "support/starts.h"
 
@@ -83,7 +84,7 @@ void check_global_step(const FFM::Simplicial_domain<D>& domain, const FFM::Posit
     for(int c = 0; c < D; ++c)
       direction.col(c) = random.vector(x.cols());
     if(A.rows() > 0)
-      direction -= A.completeOrthogonalDecomposition().solve(A * direction);
+      direction -= least_squares_solution(A, A * direction);
     const double h = 1e-3;
     const FFM::Positions<D> step = h * direction.transpose();
     const double up = quadratic<D>(domain, targets, penalties, constraints, x + step);

@@ -93,15 +93,6 @@ Full_matrix<D> full_matrix(const Preconditioner& preconditioner, const Energy& e
   return turn.transpose() * frame_matrix<D>(preconditioner, energy, svd.s) * turn;
 }
 
-// Smallest eigenvalue over the largest absolute one.
-template <typename Matrix>
-double relative_smallest_eigenvalue(const Matrix& m)
-{
-  const auto values = Eigen::SelfAdjointEigenSolver<Matrix>(m, Eigen::EigenvaluesOnly).eigenvalues().eval();
-  const double largest = values.cwiseAbs().maxCoeff();
-  return largest > 0 ? values.minCoeff() / largest : 0;
-}
-
 // Second differences, of fourth order, of a function of the Jacobian.
 template <int D, typename Value>
 Eigen::MatrixXd hessian_by_differences(const Value& value, const Eigen::Matrix<double, D, D>& J)

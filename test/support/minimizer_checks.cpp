@@ -9,9 +9,9 @@
 
 #include "support/minimizer_checks.h"
 
-#include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
+#include "support/dense_algebra.h"
 
-#include <Eigen/SVD>
+#include <CGAL/Flip_free_maps/preconditioners/Projected_newton.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ void check_summary(const FFM::Simplicial_domain<2>& domain, const Outcome& outco
   BOOST_TEST(summary.energy < summary.energy_initial);
   double smallest = summary.max_singular_value, largest = 0;
   for(std::int64_t e = 0; e < domain.number_of_elements(); ++e) {
-    const Eigen::Vector2d s = domain.jacobian(e, outcome.x).jacobiSvd().singularValues();
+    const Eigen::Vector2d s = singular_values(domain.jacobian(e, outcome.x));
     smallest = (std::min)(smallest, s[1]);
     largest = (std::max)(largest, s[0]);
   }

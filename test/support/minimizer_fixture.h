@@ -13,7 +13,6 @@
 #include "support/generated_domains.h"
 #include "support/starts.h"
 
-#include <CGAL/Flip_free_maps/core/compiled_minimizers.h>
 #include <CGAL/Flip_free_maps/minimizer/Map_minimizer.h>
 
 #include <cmath>
