@@ -115,7 +115,7 @@ for row in "${rows[@]}"; do
     [[ -z "$headers_only" ]] || targets=(test_headers_alone test_headers_together)
     for target in "${targets[@]}"; do
       case "$target" in
-        test_headers) column=headers ;;
+        test_headers_*) column=headers ;;
         flip_free_maps) column=program ;;
         *) column=others ;;
       esac
