@@ -14,6 +14,8 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Outline_packer.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Rectangle_packer.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -168,6 +170,80 @@ BOOST_AUTO_TEST_CASE(many_rectangles_keep_apart)
   }
 }
 
+// Whether the segment between two points has a point in the box with this lower left corner and side.
+bool meets_box(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& corner, double side)
+{
+  double first = 0, last = 1;
+  for(int k = 0; k < 2; ++k) {
+    const double way = q[k] - p[k];
+    double in = (corner[k] - p[k]) / way, out = (corner[k] + side - p[k]) / way;
+    if(in > out)
+      std::swap(in, out);
+    first = (std::max)(first, in);
+    last = (std::min)(last, out);
+  }
+  return first <= last;
+}
+
+// By the number of edges of the polygon that a ray to the right crosses.
+bool contains(const Polygon& polygon, const Eigen::Vector2d& point)
+{
+  bool is_inside = false;
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d p = polygon[i] - point, q = polygon[(i + 1) % polygon.size()] - point;
+    if((p[1] > 0) != (q[1] > 0) && p[0] - p[1] * (q[0] - p[0]) / (q[1] - p[1]) > 0)
+      is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+// A figure's cells are those that the turned outline meets or of which it contains the centres.
+BOOST_AUTO_TEST_CASE(figures_are_cells_of_turned_outlines)
+{
+  const int size = 256; // more than a word in a row
+  const double rounding = 1e-5;
+  Random random(11);
+  for(int i = 0; i < 12; ++i) {
+    Polygon star;
+    const double longest = random(2, i % 2 == 0 ? 90 : 20), thinnest = random(0.2, 1);
+    const Eigen::Vector2d place(random(-50, 50), random(-50, 50));
+    for(int k = 0; k < 11; ++k) {
+      const double angle = 2 * CGAL_PI * k / 11 + random(0, 0.3);
+      star.push_back(place + longest * (k % 2 == 0 ? 1 : thinnest) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    const auto figures = FFM::internal::Cell_figure::quarter_turns(outline_of({star}), size);
+    for(const auto& figure : figures) {
+      Eigen::Vector2d low = star.front();
+      for(const Eigen::Vector2d& point : star)
+        low = low.cwiseMin(point);
+      Polygon moved;
+      for(const Eigen::Vector2d& point : star)
+        moved.push_back(point - low + figure.low());
+      std::vector<char> cells(figure.width() * figure.height(), 0);
+      for(const auto& run : figure.runs())
+        for(int x = run.first; x <= run.last; ++x)
+          cells[run.row * figure.width() + x] = 1;
+      int number_wrong = 0;
+      for(int y = -1; y <= figure.height(); ++y)
+        for(int x = -1; x <= figure.width(); ++x) {
+          const Eigen::Vector2d corner(x, y), inset(rounding, rounding);
+          bool is_met = contains(moved, corner + Eigen::Vector2d(0.5, 0.5)), may_be_met = is_met;
+          for(std::size_t k = 0; k < moved.size(); ++k) {
+            const Eigen::Vector2d &p = moved[k], &q = moved[(k + 1) % moved.size()];
+            is_met = is_met || meets_box(p, q, corner + inset, 1 - 2 * rounding);
+            may_be_met = may_be_met || meets_box(p, q, corner - inset, 1 + 2 * rounding);
+          }
+          const bool is_inside = x >= 0 && y >= 0 && x < figure.width() && y < figure.height();
+          const bool is_taken = is_inside && cells[y * figure.width() + x] == 1;
+          number_wrong += (is_met && !is_taken) || (is_taken && !may_be_met);
+        }
+      BOOST_TEST(number_wrong == 0);
+      for(Eigen::Vector2d& point : star)
+        point = Eigen::Vector2d(-point[1], point[0]);
+    }
+  }
+}
+
 // Places and lengths of free runs, one cell at a time.
 BOOST_AUTO_TEST_CASE(places_in_a_grid_are_the_first_ones)
 {
@@ -182,7 +258,7 @@ BOOST_AUTO_TEST_CASE(places_in_a_grid_are_the_first_ones)
     const double longest = random(3, i < 20 ? 45 : 9), thinnest = random(0.3, 1);
     for(int k = 0; k < 9; ++k)
       star.push_back(longest * (k % 2 == 0 ? 1 : thinnest) * Eigen::Vector2d(std::cos(0.7 * k), std::sin(0.7 * k)));
-    const FFM::internal::Cell_figure figure(outline_of({star}), size);
+    const FFM::internal::Cell_figure figure = FFM::internal::Cell_figure::quarter_turns(outline_of({star}), size)[i % 4];
     std::vector<char> cells(figure.width() * figure.height(), 0);
     for(const auto& run : figure.runs())
       for(int x = run.first; x <= run.last; ++x)

@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(cells_near_obstacles_are_taken)
     dot.sources = box(0.25, 0.25, 0.5, 0.5);
     dot.targets.resize(2, 4);
     dot.targets << dot.sources.rightCols(3), dot.sources.leftCols(1);
-    const FFM::internal::Cell_figure one(dot, cells);
+    const FFM::internal::Cell_figure one = FFM::internal::Cell_figure::quarter_turns(dot, cells)[0];
     BOOST_TEST_REQUIRE(one.width() == 1);
     for(int y = 0; y < cells; ++y) {
       std::vector<char> is_free(cells, 0);

@@ -8,7 +8,7 @@
 #ifndef CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_FIGURE_H
 #define CGAL_FLIP_FREE_MAPS_ATLAS_INTERNAL_CELL_FIGURE_H
 
-#include <CGAL/Flip_free_maps/atlas/internal/bit_row.h>
+#include <CGAL/Flip_free_maps/atlas/internal/Cell_mask.h>
 #include <CGAL/Flip_free_maps/domains/Simplicial_domain.h>
 
 #include <array>
@@ -18,12 +18,6 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-// The outline of a chart: its border edges, with the chart on the same side of all, in any order.
-struct Chart_outline
-{
-  Positions<2> sources, targets;
-};
-
 // Cells of a row, from the first to the last one.
 struct Cell_run
 {
@@ -32,24 +26,27 @@ struct Cell_run
   int length() const { return last - first + 1; }
 };
 
-// The cells that a chart touches: those along its border, and those whose centres it contains.
+// The cells that a chart touches, as runs.
 class Cell_figure
 {
 public:
   // None.
   Cell_figure() = default;
 
-  // Those of an outline whose coordinates are in cells. None if it is wider or higher than the grid with so many cells in a row.
-  Cell_figure(const Chart_outline& outline, int grid_size) : Cell_figure(outline, grid_size, outline.sources.rowwise().minCoeff()) {}
+  explicit Cell_figure(const Cell_mask& mask);
 
-  // The same with the lower left corner of the first cell here, at most one cell from the outline.
-  Cell_figure(const Chart_outline& outline, int grid_size, const Vector<2>& low);
+  // That of an outline whose coordinates are in cells, and what it is after one, two and three quarter turns. None if it is wider or
+  // higher than the grid with so many cells in a row.
+  static std::array<Cell_figure, 4> quarter_turns(const Chart_outline& outline, int grid_size);
 
   // In rows. Whether there is room for higher ones takes longer to find out than it saves.
   static constexpr int HIGHEST_BLOCK = 32;
 
   int width() const { return m_width; }
   int height() const { return m_height; }
+
+  // The lower left corner of the outline's box, from that of the first cell.
+  const Vector<2>& low() const { return m_low; }
 
   // Ordered so that those who come first are spread over the figure.
   const std::vector<Cell_run>& runs() const { return m_runs; }
@@ -58,13 +55,14 @@ public:
   const std::vector<Cell_run>& blocks() const { return m_blocks; }
 
 private:
-  // Rounding of coordinates, in cells.
-  static constexpr double SLACK = 1e-6;
+  // Of the longest runs by row.
+  void find_blocks(std::vector<Cell_run> common);
 
-  // Of the rows' bits, so many words a row.
-  void find_blocks(const std::vector<Bit_word>& mask, int words);
+  // Left and right, bottom and top exchanged.
+  Cell_figure mirrored(bool in_x, bool in_y) const;
 
   int m_width = 0, m_height = 0;
+  Vector<2> m_low = Vector<2>::Zero(), m_high = Vector<2>::Zero(); // the outline's box
   std::vector<Cell_run> m_runs;
   std::vector<Cell_run> m_blocks;
 };

@@ -13,9 +13,8 @@
 #include <CGAL/Flip_free_maps/internal/inline.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,76 +22,41 @@ namespace CGAL {
 namespace Flip_free_maps {
 namespace internal {
 
-CGAL_FLIP_FREE_MAPS_INLINE Cell_figure::Cell_figure(const Chart_outline& outline, int grid_size, const Vector<2>& low)
+CGAL_FLIP_FREE_MAPS_INLINE Cell_figure::Cell_figure(const Cell_mask& mask)
+  : m_width(mask.width()), m_height(mask.height()), m_low(mask.low()), m_high(mask.high())
 {
-  const Vector<2> size = outline.sources.rowwise().maxCoeff() - low;
-  if(size.maxCoeff() > grid_size - 2 * SLACK)
-    return;
-  m_width = static_cast<int>(size[0] + SLACK) + 1;
-  m_height = static_cast<int>(size[1] + SLACK) + 1;
-  const int words = (m_width + BITS_PER_WORD - 1) / BITS_PER_WORD;
-  std::vector<Bit_word> mask(std::size_t(words) * m_height, 0);
-  // By row, where the border crosses its middle: the first cell whose centre is beyond, and the way, since a chart may overlap itself.
-  struct Crossing
-  {
-    int row, cell, sign;
-  };
-  std::vector<Crossing> crossings;
-  std::vector<int> row_ends(m_height + 1, 0);
-  // Coordinates are not below 0 but for rounding, so a conversion rounds down.
-  const auto column = [this](double x) { return (std::min)(static_cast<int>(x), m_width - 1); };
-  for(Eigen::Index i = 0; i < outline.sources.cols(); ++i) {
-    const Vector<2> a = outline.sources.col(i) - low, b = outline.targets.col(i) - low;
-    const bool is_up = a[1] <= b[1];
-    const Vector<2>&p = is_up ? a : b, &q = is_up ? b : a;
-    const bool is_level = !(q[1] - p[1] > SLACK);
-    const double slope = is_level ? 0 : (q[0] - p[0]) / (q[1] - p[1]);
-    const auto at = [&](double y) { return p[0] + slope * ((std::min)(q[1], (std::max)(p[1], y)) - p[1]); };
-    const int first = static_cast<int>(p[1] - SLACK), last = (std::min)(static_cast<int>(q[1] + SLACK), m_height - 1);
-    for(int y = first; y <= last; ++y) {
-      const double from = at(y - SLACK), to = is_level ? q[0] : at(y + 1 + SLACK);
-      set_bits(mask.data() + std::size_t(y) * words, column((std::min)(from, to) - SLACK), column((std::max)(from, to) + SLACK));
-      if(p[1] <= y + 0.5 && q[1] > y + 0.5) {
-        crossings.push_back({y, (std::max)(static_cast<int>(std::ceil(at(y + 0.5) - 0.5)), 0), is_up ? 1 : -1});
-        ++row_ends[y + 1];
-      }
-    }
-  }
-  std::partial_sum(row_ends.begin(), row_ends.end(), row_ends.begin());
-  std::vector<std::pair<int, int>> beyond(crossings.size()); // cell and sign, row by row
-  std::vector<int> next(row_ends);
-  for(const Crossing& crossing : crossings)
-    beyond[next[crossing.row]++] = {crossing.cell, crossing.sign};
+  std::vector<Cell_run> runs, longest;
+  std::vector<std::size_t> row_begins(1, 0);
+  runs.reserve(2 * m_height);
+  longest.reserve(m_height);
+  row_begins.reserve(m_height + 1);
   for(int y = 0; y < m_height; ++y) {
-    const auto begin = beyond.begin() + row_ends[y], end = beyond.begin() + row_ends[y + 1];
-    std::sort(begin, end);
-    int turns = 0;
-    for(auto c = begin; c != end && c + 1 != end; ++c) {
-      turns += c->second;
-      const int stop = (std::min)((c + 1)->first, m_width);
-      if(turns != 0 && c->first < stop)
-        set_bits(mask.data() + std::size_t(y) * words, c->first, stop - 1);
-    }
+    longest.push_back({0, -1, y});
+    for_each_run(mask.words(y), mask.number_of_words(), [&](int first, int end) {
+      runs.push_back({first, end - 1, y});
+      if(runs.back().length() > longest.back().length())
+        longest.back() = runs.back();
+    });
+    row_begins.push_back(runs.size());
   }
-  find_blocks(mask, words);
   const int stride = 16;
+  m_runs.reserve(runs.size());
   for(int phase = 0; phase < stride; ++phase)
     for(int y = phase; y < m_height; y += stride)
-      for_each_run(mask.data() + std::size_t(y) * words, words, [&](int first, int end) { m_runs.push_back({first, end - 1, y}); });
+      m_runs.insert(m_runs.end(), runs.begin() + row_begins[y], runs.begin() + row_begins[y + 1]);
+  find_blocks(std::move(longest));
 }
 
-CGAL_FLIP_FREE_MAPS_INLINE void Cell_figure::find_blocks(const std::vector<Bit_word>& mask, int words)
+CGAL_FLIP_FREE_MAPS_INLINE std::array<Cell_figure, 4> Cell_figure::quarter_turns(const Chart_outline& outline, int grid_size)
 {
-  // The longest run of each row, then what these have in common with the row 1, 2, 4, ... above.
-  std::vector<Cell_run> common;
-  common.reserve(m_height);
-  for(int y = 0; y < m_height; ++y) {
-    common.push_back({0, -1, y});
-    for_each_run(mask.data() + std::size_t(y) * words, words, [&common, y](int first, int end) {
-      if(end - first > common.back().length())
-        common.back() = {first, end - 1, y};
-    });
-  }
+  const Cell_mask mask(outline, grid_size, outline.sources.rowwise().minCoeff());
+  const Cell_figure figure(mask), transposed(mask.transposed());
+  return {{figure, transposed.mirrored(true, false), figure.mirrored(true, true), transposed.mirrored(false, true)}};
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Cell_figure::find_blocks(std::vector<Cell_run> common)
+{
+  // Then what these have in common with the row 1, 2, 4, ... above.
   for(std::size_t rows = 1; rows <= std::size_t(HIGHEST_BLOCK) && !common.empty(); rows *= 2) {
     m_blocks.push_back(
       *std::max_element(common.begin(), common.end(), [](const Cell_run& r, const Cell_run& s) { return r.length() < s.length(); }));
@@ -107,6 +71,30 @@ CGAL_FLIP_FREE_MAPS_INLINE void Cell_figure::find_blocks(const std::vector<Bit_w
     }
     common.resize(n);
   }
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE Cell_figure Cell_figure::mirrored(bool in_x, bool in_y) const
+{
+  Cell_figure result(*this);
+  const auto mirror = [&](Cell_run& run, int rows) {
+    if(in_x)
+      run = {m_width - 1 - run.last, m_width - 1 - run.first, run.row};
+    if(in_y)
+      run.row = m_height - rows - run.row;
+  };
+  for(Cell_run& run : result.m_runs)
+    mirror(run, 1);
+  for(std::size_t k = 0; k < m_blocks.size(); ++k)
+    mirror(result.m_blocks[k], 1 << k);
+  if(in_x) {
+    result.m_low[0] = m_width - m_high[0];
+    result.m_high[0] = m_width - m_low[0];
+  }
+  if(in_y) {
+    result.m_low[1] = m_height - m_high[1];
+    result.m_high[1] = m_height - m_low[1];
+  }
+  return result;
 }
 
 } // namespace internal

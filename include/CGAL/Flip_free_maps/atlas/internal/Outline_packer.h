@@ -37,16 +37,16 @@ struct Outline_place
 class Outline_packer
 {
 public:
-  // The work of the search on the coarse grid, in words of the grid. So much takes some tenths of a second; with 0 there is the
-  // bisection only.
-  static constexpr std::int64_t MOST_WORK = 60000000;
+  // The most work of the search on the coarse grid, in words of the grid. So much takes half a second or a whole one; the search ends
+  // earlier where it gains nothing. With 0 there is the bisection only, on a coarser grid.
+  static constexpr std::int64_t MOST_WORK = 120000000;
 
   // Takes what is not free from the start, of a grid with so many cells along the square's side, and what is nearer to that than so
   // many cells.
   using Take_obstacles = std::function<void(Cell_grid&, double cells_per_side, double distance)>;
 
-  // Charts keep the distance from each other; the square's side is 1. The orientations are evenly spaced, and all of them may be
-  // turned further if charts turn freely.
+  // Charts keep the distance from each other; the square's side is 1. The orientations, four or a multiple of it, are evenly
+  // spaced, and all of them may be turned further if charts turn freely.
   Outline_packer(const std::vector<Chart_outline>& outlines, double distance, int orientations, bool turns_freely,
                  std::int64_t most_work = MOST_WORK, const Take_obstacles& take_obstacles = nullptr)
     : m_outlines(outlines),
@@ -70,13 +70,19 @@ private:
   // The least gain that counts in the search and on the fine grid, and the most that is looked for there at first.
   static constexpr double SEARCH_STEP = 0.004, MOST_REFINEMENT = 0.12;
 
+  // The part of the most work after which the search ends unless it has gained.
+  static constexpr int FIRST_PART = 5;
+
   // Trials of the search at the same time, whatever the number of threads.
   static constexpr std::size_t TRIALS = 4;
 
   // Between two orientations.
   static constexpr int TURNS = 64;
 
-  // A chart in one orientation.
+  // What making figures costs, in words of the grid.
+  static constexpr std::int64_t WORK_OF_RUN = 12, WORK_OF_EDGE = 32;
+
+  // A chart in one orientation, and its turn with the corner of its box within the first cell.
   struct Turned_figure
   {
     bool is_known = false;
@@ -117,7 +123,7 @@ private:
   // The largest scale between two ones, to a tolerance.
   double bisect(double low, double high, double tolerance, const std::function<bool()>& must_stop);
 
-  // Looks for plans near the best ones that allow a larger scale, with a bounded amount of work.
+  // Looks for plans near the best ones that allow a larger scale, for a fifth of the most work, and twice as long as the last gain took.
   double search(double low, const std::function<bool()>& must_stop);
 
   const Turned_figure& figure(Attempt& attempt, std::size_t c, int orientation) const;

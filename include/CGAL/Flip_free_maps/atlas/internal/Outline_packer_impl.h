@@ -16,6 +16,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -53,7 +54,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::pack(double low, double high, co
   // Cells should be small next to charts, and the fewer charts the more orientations.
   const std::size_t several = 256, many = 1000, n = m_outlines.size();
   const bool are_many = n > many;
-  use_grid(n <= several ? 512 : 1024);
+  use_grid(n > several ? 1024 : m_most_work > 0 ? 512 : 256);
   const int fine_size = n <= FEW ? 1024 : 2048;
   m_attempt.plan.order = sorted([](const Vector<2>& box) { return box.maxCoeff(); });
   low = bisect(low, high, are_many ? 3 * SCALE_TOLERANCE : SCALE_TOLERANCE, must_stop);
@@ -110,7 +111,8 @@ CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::search(double low, const std::
     attempt.failed = m_attempt.failed;
   // One chart has nothing but its turn.
   int turns = 0;
-  for(std::int64_t work = 0; work < m_most_work && (n > 1 || (m_turns_freely && turns < TURNS)) && !must_stop();) {
+  std::int64_t most_work = m_most_work / FIRST_PART;
+  for(std::int64_t work = 0; work < most_work && (n > 1 || (m_turns_freely && turns < TURNS)) && !must_stop();) {
     for(Attempt& attempt : attempts) {
       Plan& plan = attempt.plan;
       plan.order = m_best.order;
@@ -145,6 +147,7 @@ CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::search(double low, const std::
     if(scales[best] > 0) {
       low = scales[best];
       keep(low, attempts[best]);
+      most_work = (std::min)(m_most_work, (std::max)(most_work, 2 * work));
     }
   }
   return low;
@@ -156,20 +159,24 @@ CGAL_FLIP_FREE_MAPS_INLINE const Outline_packer::Turned_figure& Outline_packer::
   Turned_figure& figure = attempt.figures[c][orientation];
   if(figure.is_known)
     return figure;
-  // Quarter turns are exact.
-  const int quarter = 4 * orientation / m_orientations;
-  const double rest = 2 * CGAL_PI * (orientation + attempt.plan.turn) / m_orientations - CGAL_PI / 2 * quarter;
-  const double cosine = std::cos(rest), sine = std::sin(rest);
+  // Quarter turns are exact, and cost less than other ones.
+  const int quarter = m_orientations / 4, first = orientation % quarter;
+  const double angle = 2 * CGAL_PI * (first + attempt.plan.turn) / m_orientations, cosine = std::cos(angle), sine = std::sin(angle);
   const double cosines[] = {cosine, -sine, -cosine, sine}, sines[] = {sine, cosine, -sine, -cosine};
-  figure.turn.cosine = cosines[quarter];
-  figure.turn.sine = sines[quarter];
   Matrix<2> rotation;
-  rotation << figure.turn.cosine, -figure.turn.sine, figure.turn.sine, figure.turn.cosine;
+  rotation << cosine, -sine, sine, cosine;
   rotation *= attempt.figures_scale;
   const Chart_outline& outline = m_outlines[c];
-  figure.cells = Cell_figure({rotation * outline.sources, rotation * outline.targets}, attempt.grid.size());
-  figure.is_known = true;
-  attempt.work += 2 * outline.sources.cols();
+  std::array<Cell_figure, 4> turned =
+    Cell_figure::quarter_turns({rotation * outline.sources, rotation * outline.targets}, attempt.grid.size());
+  for(int i = 0; i < 4; ++i) {
+    Turned_figure& result = attempt.figures[c][first + i * quarter];
+    result.is_known = true;
+    result.turn = {turned[i].low()[0], turned[i].low()[1], cosines[i], sines[i]};
+    result.cells = std::move(turned[i]);
+    attempt.work += WORK_OF_RUN * result.cells.runs().size();
+  }
+  attempt.work += WORK_OF_EDGE * outline.sources.cols();
   return figure;
 }
 
@@ -230,8 +237,8 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(Attempt& attempt, double sc
       top = (std::max)(top, best_top);
       placed_area += m_areas[c];
       places[c] = best->turn;
-      places[c].x = best_x / m_cells_per_side;
-      places[c].y = best_y / m_cells_per_side;
+      places[c].x = (best_x + best->turn.x) / m_cells_per_side;
+      places[c].y = (best_y + best->turn.y) / m_cells_per_side;
     }
     attempt.room = static_cast<double>(size) / top;
     return true;

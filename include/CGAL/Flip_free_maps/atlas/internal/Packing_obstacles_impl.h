@@ -90,7 +90,7 @@ CGAL_FLIP_FREE_MAPS_INLINE void Packing_obstacles::take(Cell_grid& grid, const V
     outline.targets.resize(2, n);
     outline.targets << outline.sources.rightCols(n - 1), outline.sources.leftCols(1);
     const Vector<2> first = outline.sources.rowwise().minCoeff().array().floor();
-    grid.take(Cell_figure(outline, most_cells, first), static_cast<int>(first[0]), static_cast<int>(first[1]), distance);
+    grid.take(Cell_figure(Cell_mask(outline, most_cells, first)), static_cast<int>(first[0]), static_cast<int>(first[1]), distance);
   }
 }
 

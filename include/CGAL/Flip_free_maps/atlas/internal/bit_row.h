@@ -90,6 +90,18 @@ void for_each_run(const Bit_word* row, int number_of_words, Function&& f)
     f(first, BITS_PER_WORD * number_of_words);
 }
 
+// Exchanges rows and columns of a square of bits, whose sides are a word.
+inline void transpose_bits(Bit_word* square)
+{
+  Bit_word mask = ~Bit_word(0) >> (BITS_PER_WORD / 2);
+  for(int half = BITS_PER_WORD / 2; half > 0; half /= 2, mask ^= mask << half)
+    for(int y = 0; y < BITS_PER_WORD; y = (y + half + 1) & ~half) {
+      const Bit_word change = ((square[y] >> half) ^ square[y + half]) & mask;
+      square[y] ^= change << half;
+      square[y + half] ^= change;
+    }
+}
+
 } // namespace internal
 } // namespace Flip_free_maps
 } // namespace CGAL
