@@ -252,15 +252,13 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_atlas::join_crumbs()
       for(const std::size_t c : {join.neighbor, join.crumb})
         piece.faces.insert(piece.faces.end(), m_charts[c].faces.begin(), m_charts[c].faces.end());
       std::sort(piece.faces.begin(), piece.faces.end());
-      // Maps of two charts are none of their union.
-      for(const std::int32_t f : piece.faces) {
+      for(const std::int32_t f : piece.faces)
         join.images.push_back(m_image[f]);
-        m_image[f].setConstant(std::numeric_limits<double>::quiet_NaN());
-      }
+      lay_beside(m_charts[join.crumb].faces, join.seams);
       unions.push_back(std::move(piece));
     }
     for(auto join = joins.begin(); !unions.empty();)
-      for(auto& [piece, flat] : work_on_some<Flat_piece>(unions, [this](Piece&p, Flat_piece&f) { flatten(p, f); })) {
+      for(auto& [piece, flat] : work_on_some<Flat_piece>(unions, [this](Piece&p, Flat_piece&f) { flatten_union(p, f); })) {
         if(is_good_enough(*join, piece, flat)) {
           m_charts[join->neighbor] = {flat.open.surface.triangles, std::move(flat.x), std::move(piece.faces)};
           m_summary.charts[join->neighbor] = flat.chart;

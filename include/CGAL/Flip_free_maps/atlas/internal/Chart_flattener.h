@@ -47,6 +47,10 @@ protected:
   // Gives a piece a map if it can have one, without overlaps if they are easily removed.
   void flatten(const Piece& piece, Flat_piece& flat);
 
+  // The same for two charts of which one was laid beside the other. If it has to bend for that and lies upon the other, they hardly
+  // have a map without overlaps, and none is looked for.
+  void flatten_union(const Piece& piece, Flat_piece& flat);
+
   // The same, and decides what becomes of the piece. When the time is up what was a chart before is one again.
   void flatten_and_decide(Piece& piece, Flat_piece& flat);
 

@@ -83,6 +83,18 @@ CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::flatten(const Piece& piece, Fla
   chart.seconds = wall_seconds() - begin;
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::flatten_union(const Piece& piece, Flat_piece& flat)
+{
+  const Open_piece open = this->open(piece.faces);
+  Positions<2> x;
+  if(inherit(piece, open, x) && !is_flip_free(open.surface.triangles, x) && has_overlap(open, x))
+    return;
+  // Maps of two charts are none of their union.
+  for(const std::int32_t f : piece.faces)
+    m_image[f].setConstant(std::numeric_limits<double>::quiet_NaN());
+  flatten(piece, flat);
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_flattener::flatten_and_decide(Piece& piece, Flat_piece& flat)
 {
   if(!was_chart(piece)) {

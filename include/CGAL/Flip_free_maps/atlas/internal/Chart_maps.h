@@ -83,6 +83,10 @@ protected:
   // The map of the piece in that chart, with the seams closed again that it did not have there. It has no overlaps.
   Positions<2> chart_again(const Piece& piece, Open_piece& open);
 
+  // Moves the map of some faces, as it is, to that of their neighbors across these sides of them; what these have in common goes where
+  // the neighbors have it.
+  void lay_beside(const std::vector<std::int32_t>& faces, const std::vector<std::int32_t>& sides);
+
   void keep(Piece& piece, const Open_piece& open, Positions<2>& x, const Chart_summary& chart);
 
   // The halfedge of the surface that one of a piece was.

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_creases.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_maps.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Chart_splitter.h>
+#include <CGAL/Flip_free_maps/elements/internal/closest_rotation.h>
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/internal/inline.h>
 #include <CGAL/Flip_free_maps/measure/internal/Distortion_measure.h>
@@ -24,6 +25,7 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -155,6 +157,29 @@ CGAL_FLIP_FREE_MAPS_INLINE Positions<2> Chart_maps::chart_again(const Piece& pie
   Positions<2> x;
   inherit(piece, open, x);
   return x;
+}
+
+CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::lay_beside(const std::vector<std::int32_t>& faces, const std::vector<std::int32_t>& sides)
+{
+  Positions<2> here(2, 2 * sides.size()), there(2, 2 * sides.size());
+  std::map<std::array<double, 2>, Vector<2>> common;
+  for(std::size_t i = 0; i < sides.size(); ++i) {
+    const std::int32_t h = sides[i], opposite = m_surface.opposite[h];
+    const int k = h % 3, l = opposite % 3;
+    here.middleCols(2 * i, 2) << m_image[h / 3].col(k), m_image[h / 3].col((k + 1) % 3);
+    there.middleCols(2 * i, 2) << m_image[opposite / 3].col((l + 1) % 3), m_image[opposite / 3].col(l);
+    for(Eigen::Index v = 2 * i; v < Eigen::Index(2 * i + 2); ++v)
+      common[{{here(0, v), here(1, v)}}] = there.col(v);
+  }
+  const Vector<2> from = here.rowwise().mean(), to = there.rowwise().mean();
+  Matrix<2> rotation = Matrix<2>::Identity();
+  closest_rotation((there.colwise() - to) * (here.colwise() - from).transpose(), rotation);
+  for(const std::int32_t f : faces)
+    for(int k = 0; k < 3; ++k) {
+      const Vector<2> x = m_image[f].col(k);
+      const auto found = common.find({{x[0], x[1]}});
+      m_image[f].col(k) = found != common.end() ? found->second : Vector<2>(to + rotation * (x - from));
+    }
 }
 
 CGAL_FLIP_FREE_MAPS_INLINE void Chart_maps::keep(Piece& piece, const Open_piece& open, Positions<2>& x, const Chart_summary& chart)
