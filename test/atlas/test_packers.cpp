@@ -13,6 +13,7 @@
 
 #include <CGAL/Flip_free_maps/atlas/internal/Outline_packer.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Rectangle_packer.h>
+#include <CGAL/Flip_free_maps/atlas/internal/smallest_boxes.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -167,6 +168,38 @@ BOOST_AUTO_TEST_CASE(many_rectangles_keep_apart)
     const double scale = packed_rectangles(sizes, 0.004);
     BOOST_TEST(scale * scale * area <= 1);
     BOOST_TEST(scale * scale * area >= (number < 10 ? 0.4 : 0.6));
+  }
+}
+
+// The side of the square around points with a side in this direction.
+double side_of_square(const Eigen::Matrix2Xd& x, const Eigen::Vector2d& u)
+{
+  const Eigen::RowVectorXd along = u.transpose() * x, across = Eigen::RowVector2d(-u[1], u[0]) * x;
+  return (std::max)(along.maxCoeff() - along.minCoeff(), across.maxCoeff() - across.minCoeff());
+}
+
+BOOST_AUTO_TEST_CASE(smallest_squares)
+{
+  // An equilateral triangle stands with a corner in one of the square, and both its other corners on sides.
+  Eigen::Matrix2Xd triangle(2, 3);
+  triangle << 0, 1, 0.5, 0, 0, std::sqrt(0.75);
+  BOOST_TEST(side_of_square(triangle, FFM::internal::direction_of_smallest_square(triangle)) == std::cos(CGAL_PI / 12),
+             boost::test_tools::tolerance(1e-12));
+  // Points on a line have no inside.
+  const Eigen::Matrix2Xd line = Eigen::Vector2d(1, 2) * Eigen::RowVector3d(0, 1, 3);
+  BOOST_TEST(FFM::internal::direction_of_smallest_square(line) == Eigen::Vector2d(1, 0));
+  Random random(5);
+  for(int i = 0; i < 200; ++i) {
+    Eigen::Matrix2Xd x(2, 3 + i % 9);
+    for(Eigen::Index v = 0; v < x.cols(); ++v)
+      x.col(v) << random(-1, 1), random(-0.3, 0.3) + (i % 2) * random(-1, 1);
+    double least = 10;
+    const int steps = 3000;
+    for(int k = 0; k < steps; ++k)
+      least = (std::min)(least, side_of_square(x, {std::cos(CGAL_PI / 2 * k / steps), std::sin(CGAL_PI / 2 * k / steps)}));
+    const double side = side_of_square(x, FFM::internal::direction_of_smallest_square(x));
+    BOOST_TEST(side <= least * (1 + 1e-12));
+    BOOST_TEST(side >= least * (1 - CGAL_PI / steps)); // what a turn by half a step gains at most
   }
 }
 

@@ -38,7 +38,7 @@ class Outline_packer
 {
 public:
   // The most work of the search on the coarse grid, in words of the grid. So much takes half a second or a whole one; the search ends
-  // earlier where it gains nothing. With 0 there is the bisection only, on a coarser grid.
+  // earlier where it gains nothing. With 0 there is the bisection only.
   static constexpr std::int64_t MOST_WORK = 120000000;
 
   // Takes what is not free from the start, of a grid with so many cells along the square's side, and what is nearer to that than so
@@ -64,14 +64,18 @@ public:
   const std::vector<Outline_place>& places() const { return m_places; }
 
 private:
+  // The cells along the side of a coarse grid at most; and of how many rows of a finer one the first is tried, and the others only where
+  // that has room.
+  static constexpr int COARSE = 1024, FINE_STEP = 4;
+
   // So few charts are small work in all places.
   static constexpr std::size_t FEW = 64;
   static constexpr double SCALE_TOLERANCE = 0.01;
-  // The least gain that counts in the search and on the fine grid, and the most that is looked for there at first.
-  static constexpr double SEARCH_STEP = 0.004, MOST_REFINEMENT = 0.12;
+  // The least gain that counts in the search and on the fine grid.
+  static constexpr double SEARCH_STEP = 0.004;
 
   // The part of the most work after which the search ends unless it has gained.
-  static constexpr int FIRST_PART = 5;
+  static constexpr int FIRST_PART = 4;
 
   // Trials of the search at the same time, whatever the number of threads.
   static constexpr std::size_t TRIALS = 4;
@@ -123,7 +127,10 @@ private:
   // The largest scale between two ones, to a tolerance.
   double bisect(double low, double high, double tolerance, const std::function<bool()>& must_stop);
 
-  // Looks for plans near the best ones that allow a larger scale, for a fifth of the most work, and twice as long as the last gain took.
+  // The same where the largest scale is expected near the lower one: steps become larger as long as there is room.
+  void climb(double low, double high, double tolerance, const std::function<bool()>& must_stop);
+
+  // Looks for plans near the best ones that allow a larger scale, for a quarter of the most work, and twice as long as the last gain took.
   double search(double low, const std::function<bool()>& must_stop);
 
   const Turned_figure& figure(Attempt& attempt, std::size_t c, int orientation) const;

@@ -54,8 +54,8 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::pack(double low, double high, co
   // Cells should be small next to charts, and the fewer charts the more orientations.
   const std::size_t several = 256, many = 1000, n = m_outlines.size();
   const bool are_many = n > many;
-  use_grid(n > several ? 1024 : m_most_work > 0 ? 512 : 256);
-  const int fine_size = n <= FEW ? 1024 : 2048;
+  use_grid(n > several ? COARSE : COARSE / 2);
+  const int fine_size = n <= FEW ? COARSE : 2 * COARSE;
   m_attempt.plan.order = sorted([](const Vector<2>& box) { return box.maxCoeff(); });
   low = bisect(low, high, are_many ? 3 * SCALE_TOLERANCE : SCALE_TOLERANCE, must_stop);
   if(m_most_work == 0)
@@ -72,7 +72,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::pack(double low, double high, co
   use_grid(fine_size);
   if(m_scale > 0)
     m_attempt.plan = m_best;
-  bisect(low, low * (1 + MOST_REFINEMENT), are_many ? 2 * SCALE_TOLERANCE : SEARCH_STEP, must_stop);
+  climb(low, high, are_many ? 2 * SCALE_TOLERANCE : SEARCH_STEP, must_stop);
   return m_scale > 0;
 }
 
@@ -100,6 +100,18 @@ CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::bisect(double low, double high
   return low;
 }
 
+CGAL_FLIP_FREE_MAPS_INLINE void Outline_packer::climb(double low, double high, double tolerance, const std::function<bool()>& must_stop)
+{
+  for(double step = 1 + tolerance; low * step < high && !must_stop(); step *= step) {
+    if(!fits(low * step, must_stop)) {
+      high = low * step;
+      break;
+    }
+    low *= step;
+  }
+  bisect(low, high, tolerance, must_stop);
+}
+
 CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::search(double low, const std::function<bool()>& must_stop)
 {
   const std::size_t n = m_outlines.size();
@@ -109,7 +121,7 @@ CGAL_FLIP_FREE_MAPS_INLINE double Outline_packer::search(double low, const std::
   std::vector<Attempt> attempts(TRIALS);
   for(Attempt& attempt : attempts)
     attempt.failed = m_attempt.failed;
-  // One chart has nothing but its turn.
+  // One chart, between obstacles, has nothing but its turn.
   int turns = 0;
   std::int64_t most_work = m_most_work / FIRST_PART;
   for(std::int64_t work = 0; work < most_work && (n > 1 || (m_turns_freely && turns < TURNS)) && !must_stop();) {
@@ -203,6 +215,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(Attempt& attempt, double sc
   // By orientation and class of the box: below there was no room for another figure, and none is looked for if there are many.
   const bool are_few = m_outlines.size() <= FEW;
   std::vector<std::vector<int>> first_rows(are_few ? 0 : m_orientations, std::vector<int>(BOX_CLASSES * BOX_CLASSES, 0));
+  const int row_step = size > COARSE ? FINE_STEP : 1;
   int top = 1;
   double placed_area = 0;
   const auto place_all = [&] {
@@ -218,9 +231,12 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Outline_packer::fits(Attempt& attempt, double sc
           continue;
         int lowest = 0;
         int& y = are_few ? lowest : first_rows[i][box_class(turned.cells)];
-        int x = -1;
-        while(y + height < best_top && y + height <= size && (x = grid.first_place(turned.cells, y)) < 0)
-          ++y;
+        const int highest = (std::min)(best_top - 1, size) - height;
+        int x = -1, lowest_untried = y;
+        for(; y <= highest && (x = grid.first_place(turned.cells, y)) < 0; y += row_step)
+          lowest_untried = y + 1;
+        for(int below; x >= 0 && y > lowest_untried && (below = grid.first_place(turned.cells, y - 1)) >= 0; --y)
+          x = below;
         if(x < 0)
           continue;
         best_top = y + height;

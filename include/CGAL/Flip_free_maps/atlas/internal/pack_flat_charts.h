@@ -12,15 +12,12 @@
 #include <CGAL/Flip_free_maps/atlas/internal/Outline_packer.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Packing_obstacles.h>
 #include <CGAL/Flip_free_maps/atlas/internal/Rectangle_packer.h>
+#include <CGAL/Flip_free_maps/atlas/internal/smallest_boxes.h>
 #include <CGAL/Flip_free_maps/domains/internal/count_flips.h>
 #include <CGAL/Flip_free_maps/domains/internal/write_positions.h>
 #include <CGAL/Flip_free_maps/internal/ask_deadline.h>
 #include <CGAL/Flip_free_maps/measure/internal/Border_curves.h>
 #include <CGAL/Flip_free_maps/measure/internal/is_bijective_on_arrays.h>
-
-#include <CGAL/Min_quadrilateral_traits_2.h>
-#include <CGAL/convex_hull_2.h>
-#include <CGAL/min_quadrilateral_2.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -42,9 +39,6 @@ struct Flat_chart
   Positions<2> x;
   std::vector<std::int32_t> faces; // the elements' numbers in the mesh
 };
-
-// The direction of a side of the smallest rectangle around some points.
-Vector<2> direction_of_smallest_box(const Positions<2>& x);
 
 inline Vector<2> extent(const Positions<2>& x) { return x.rowwise().maxCoeff() - x.rowwise().minCoeff(); }
 
@@ -68,7 +62,7 @@ Positions<2> as_rounded_by(const Positions<2>& x)
 }
 
 // The places of charts by their outlines, or those of their bounding boxes in the largest square without obstacles, whichever allow
-// the larger scale; none if there is no room.
+// the larger scale; none if there is no room. One chart has nothing but its box.
 std::vector<Outline_place> chart_places(const std::vector<Flat_chart>& charts, const std::vector<Positions<2>>& turned,
                                         const Packing_options& options, const Packing_obstacles& obstacles,
                                         const std::function<bool()>& must_stop, std::int64_t most_work, double& scale);
@@ -77,11 +71,14 @@ std::vector<Outline_place> chart_places(const std::vector<Flat_chart>& charts, c
 Positions<2> joined_charts(const std::vector<Flat_chart>& charts, const std::vector<Positions<2>>& positions,
                            std::vector<std::array<std::int32_t, 3>>& elements);
 
-// A chart's positions about its centre, turned to its smallest box if it may be turned. Rounding is another one in the directions of
-// further attempts.
-Positions<2> turned_chart(const Positions<2>& x, bool may_turn, int attempt);
+// A chart's positions about its centre, turned to its smallest box if it may be turned, or to its smallest square if it is the only
+// chart. Rounding is another one in the directions of further attempts.
+Positions<2> turned_chart(const Positions<2>& x, bool may_turn, bool is_alone, int attempt);
 
-// How much of the unit square charts cover at least, by a first packing of many.
+// The most work of a search for better places: about what the other work on so many triangles is.
+std::int64_t search_work(const std::vector<Flat_chart>& charts);
+
+// How much of the unit square charts are expected to cover, by a first packing of many.
 double expected_occupancy(const std::vector<Flat_chart>& charts, const Packing_options& options, const std::function<bool()>& must_stop);
 
 // Moves charts without flips into the unit square: each turned, all scaled alike, apart by the margin from each other and from
