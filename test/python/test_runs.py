@@ -170,7 +170,7 @@ def test_other_threads_run():
 
 
 def test_no_leak():
-    """A thousand calls of each kind, of the slow one some hundred, take no more memory than a hundred."""
+    """Memory stops growing, for all of these calls: half a KiB a call that is lost, or ten of the slow one, would be seen in each round."""
     points, faces = meshes.sheet(3)
     solid, tetrahedra = meshes.bar(2, 1)
     bad = points.copy()
@@ -188,10 +188,12 @@ def test_no_leak():
         lambda: failing(lambda: ffm.unwrap(bad, faces)),
         lambda: failing(lambda: ffm.parameterize(points, faces + 1)),
     ]
-    for call, number in [(call, 1000) for call in calls] + [(lambda: ffm.parametrize(points, faces), 100)]:
-        for _ in range(number // 10):
-            call()
+    def growth(call, number):
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         for _ in range(number):
             call()
-        assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 4 * 1024, "KiB"
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+
+    for call, number in [(call, 500) for call in calls] + [(lambda: ffm.parametrize(points, faces), 25)]:
+        rounds = 8  # the heaps of all threads take some to fill
+        assert any(growth(call, number) < 256 for _ in range(rounds)), "KiB"

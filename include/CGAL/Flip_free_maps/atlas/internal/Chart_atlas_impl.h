@@ -68,6 +68,7 @@ CGAL_FLIP_FREE_MAPS_INLINE bool Chart_atlas::run(const Rounding& rounded)
   {
     const Phase_timer timer(m_summary.pack_seconds);
     m_phase = Unwrap_phase::pack;
+    watch(); // a chart alone is packed before anyone would ask
     split_for_packing([this] { return must_stop(); });
     sort_charts();
     if(!m_options.pack)

@@ -146,7 +146,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::vector<Outline_place> chart_places(const std::ve
 
 CGAL_FLIP_FREE_MAPS_INLINE std::int64_t search_work(const std::vector<Flat_chart>& charts)
 {
-  const std::int64_t least = Outline_packer::MOST_WORK / 4, work_of_triangle = Outline_packer::MOST_WORK / 10000;
+  const std::int64_t least = Outline_packer::MOST_WORK / 24, work_of_triangle = Outline_packer::MOST_WORK / 10000;
   std::int64_t work = 0;
   for(const Flat_chart& chart : charts)
     work += work_of_triangle * static_cast<std::int64_t>(chart.elements.size());
