@@ -78,7 +78,7 @@ Positions<2> turned_chart(const Positions<2>& x, bool may_turn, bool is_alone, i
 // The most work of a search for better places: about what the other work on so many triangles is.
 std::int64_t search_work(const std::vector<Flat_chart>& charts);
 
-// How much of the unit square charts are expected to cover, by a first packing of many.
+// How much of the unit square charts cover at least, by a first packing of many.
 double expected_occupancy(const std::vector<Flat_chart>& charts, const Packing_options& options, const std::function<bool()>& must_stop);
 
 // Moves charts without flips into the unit square: each turned, all scaled alike, apart by the margin from each other and from
