@@ -56,7 +56,7 @@ CGAL_FLIP_FREE_MAPS_INLINE std::array<Cell_figure, 4> Cell_figure::quarter_turns
 
 CGAL_FLIP_FREE_MAPS_INLINE void Cell_figure::find_blocks(std::vector<Cell_run> common)
 {
-  // Then what these have in common with the row 1, 2, 4, ... above.
+  // What the longest runs have in common with the row 1, 2, 4, ... above.
   for(std::size_t rows = 1; rows <= std::size_t(HIGHEST_BLOCK) && !common.empty(); rows *= 2) {
     m_blocks.push_back(
       *std::max_element(common.begin(), common.end(), [](const Cell_run& r, const Cell_run& s) { return r.length() < s.length(); }));

@@ -75,7 +75,7 @@ Positions<2> joined_charts(const std::vector<Flat_chart>& charts, const std::vec
 // chart. Rounding is another one in the directions of further attempts.
 Positions<2> turned_chart(const Positions<2>& x, bool may_turn, bool is_alone, int attempt);
 
-// The most work of a search for better places: about what the other work on so many triangles is.
+// The most work of a search for better places, which grows with the number of triangles.
 std::int64_t search_work(const std::vector<Flat_chart>& charts);
 
 // How much of the unit square charts cover at least, by a first packing of many.
